@@ -15,7 +15,7 @@
 namespace ionskin::live {
 namespace {
 
-constexpr double step = 1e-3; // [s]
+constexpr double mirror_step = 1e-3; // [s]
 constexpr double left_by_sweeps = 1e-5;
 
 struct MirrorStep {
@@ -60,7 +60,8 @@ std::vector<std::vector<double>> signals_of(const SkinData& data,
       place[d] = mirrored[d] ? extent[d] - place[d] : place[d];
     }
     std::vector<double>& signals = all.emplace_back(skin.names().size());
-    EXPECT_EQ(skin.step(step * static_cast<double>(i), place, true, path[i].force, signals), 0u)
+    EXPECT_EQ(skin.step(mirror_step * static_cast<double>(i), place, true, path[i].force, signals),
+              0u)
         << i;
   }
   return all;

@@ -12,7 +12,7 @@
 namespace ionskin::live {
 namespace {
 
-constexpr double speed = 2e-6; // [m] in an instant
+constexpr double event_speed = 2e-6; // [m] in an instant
 
 /// A path made of pieces, an instant each millisecond.
 struct EventPath {
@@ -43,7 +43,7 @@ struct EventPath {
   }
 };
 
-std::vector<std::size_t> range_of(std::size_t first, std::size_t last) {
+std::vector<std::size_t> instants_from(std::size_t first, std::size_t last) {
   std::vector<std::size_t> where;
   for (std::size_t i = first; i < last; ++i) {
     where.push_back(i);
@@ -56,23 +56,23 @@ TEST(TouchEvents, OfLandingHoldAndLift) {
   path.piece(99, false, 0, 0, false);
   path.piece(200, true, 0, 0, true);
   path.piece(200, false, 0, 0, false);
-  EXPECT_EQ(path.of(event::landing), range_of(100, 150));
+  EXPECT_EQ(path.of(event::landing), instants_from(100, 150));
   // It rests from instant 101 on, the first that is like the one before.
-  EXPECT_EQ(path.of(event::hold), range_of(151, 300));
-  EXPECT_EQ(path.of(event::lift), range_of(250, 350));
+  EXPECT_EQ(path.of(event::hold), instants_from(151, 300));
+  EXPECT_EQ(path.of(event::lift), instants_from(250, 350));
   EXPECT_EQ(path.of(event::slip_onset), std::vector<std::size_t>{});
 }
 
 TEST(TouchEvents, AnOnsetLastsWhileSomethingSticksAndALengthAtLeast) {
   EventPath path;
   path.piece(200, true, 0, 0, true);
-  path.piece(80, true, speed, 0, true);
-  path.piece(100, true, speed, 0, false);
-  path.piece(10, true, -speed, 0, true); // back
-  path.piece(100, true, -speed, 0, false);
-  path.piece(100, true, 0, -speed, false); // a right angle is no turn back
-  std::vector<std::size_t> expected = range_of(201, 281);
-  const std::vector<std::size_t> back = range_of(381, 431);
+  path.piece(80, true, event_speed, 0, true);
+  path.piece(100, true, event_speed, 0, false);
+  path.piece(10, true, -event_speed, 0, true); // back
+  path.piece(100, true, -event_speed, 0, false);
+  path.piece(100, true, 0, -event_speed, false); // a right angle is no turn back
+  std::vector<std::size_t> expected = instants_from(201, 281);
+  const std::vector<std::size_t> back = instants_from(381, 431);
   expected.insert(expected.end(), back.begin(), back.end());
   EXPECT_EQ(path.of(event::slip_onset), expected);
 }

@@ -7,15 +7,15 @@
 namespace ionskin::live {
 namespace {
 
-constexpr double still = 1e-12; // way in a millisecond that is rounding [m]
-constexpr double steady = 1e-6; // change of the load in a millisecond, of the largest
+constexpr double way_of_rounding = 1e-12; // way in a millisecond that is rounding [m]
+constexpr double load_of_rounding = 1e-6; // change of the load in a millisecond, of the largest
 
-std::array<double, 2> way(const TouchInstant& from, const TouchInstant& to) {
+std::array<double, 2> way_between(const TouchInstant& from, const TouchInstant& to) {
   return {to.centre[0] - from.centre[0], to.centre[1] - from.centre[1]};
 }
 
-bool moves(const std::array<double, 2>& way) {
-  return std::hypot(way[0], way[1]) > still;
+bool is_motion(const std::array<double, 2>& way) {
+  return std::hypot(way[0], way[1]) > way_of_rounding;
 }
 
 } // namespace
@@ -52,11 +52,11 @@ std::vector<std::uint8_t> events_of(std::span<const TouchInstant> instants) {
     if (lands && landed++ < event_length) {
       add(i, event::landing);
     }
-    const auto step = way(before, now);
-    const bool moving = moves(step);
+    const auto moved = way_between(before, now);
+    const bool moving = is_motion(moved);
     if (moving && before.touches) {
-      const auto last = i > 1 ? way(instants[i - 2], before) : std::array<double, 2>{};
-      if (!moves(last) || step[0] * last[0] + step[1] * last[1] < 0) {
+      const auto last = i > 1 ? way_between(instants[i - 2], before) : std::array<double, 2>{};
+      if (!is_motion(last) || moved[0] * last[0] + moved[1] * last[1] < 0) {
         slips = true;
         onset = 0;
       }
@@ -66,7 +66,7 @@ std::vector<std::uint8_t> events_of(std::span<const TouchInstant> instants) {
       add(i, event::slip_onset);
     }
     const bool rests =
-        before.touches && !moving && std::abs(now.load - before.load) <= steady * largest;
+        before.touches && !moving && std::abs(now.load - before.load) <= load_of_rounding * largest;
     rested = rests ? rested + 1 : 0;
     if (rested > event_length) {
       add(i, event::hold);

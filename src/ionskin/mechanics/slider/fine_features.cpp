@@ -13,23 +13,23 @@
 namespace ionskin::mechanics {
 namespace {
 
-constexpr std::size_t samples = 11; ///< of a cell along x and y
-constexpr double limit = 0.1;       ///< of the departure over the deepest indentation
+constexpr std::size_t samples_along_cell = 11; ///< of a cell along x and y
+constexpr double departure_limit = 0.1;        ///< of the departure over the deepest indentation
 
-struct Cell {
+struct PlanCell {
   double x = 0, y = 0, length = 0, width = 0; ///< corner and sizes [m]
 };
 
 /// Departure of the samples of a cell from their plane; 0 where it does not reach so deep, or lies
 /// partly beyond the plan.
-double departure(const Underside& underside, const Cell& cell, double depth) {
+double departure_in(const Underside& underside, const PlanCell& cell, double depth) {
   // Centred places, over the cell's size, are orthogonal to each other and to constants.
   const auto place = [](std::size_t i) {
-    return (static_cast<double>(i) + 0.5) / static_cast<double>(samples) - 0.5;
+    return (static_cast<double>(i) + 0.5) / static_cast<double>(samples_along_cell) - 0.5;
   };
   double sum = 0, square = 0, with_x = 0, with_y = 0, places = 0, least = depth;
-  for (std::size_t j = 0; j < samples; ++j) {
-    for (std::size_t i = 0; i < samples; ++i) {
+  for (std::size_t j = 0; j < samples_along_cell; ++j) {
+    for (std::size_t i = 0; i < samples_along_cell; ++i) {
       const double along_x = place(i), along_y = place(j),
                    gap = underside.gap(cell.x + (along_x + 0.5) * cell.length,
                                        cell.y + (along_y + 0.5) * cell.width);
@@ -44,7 +44,7 @@ double departure(const Underside& underside, const Cell& cell, double depth) {
       places += along_x * along_x;
     }
   }
-  constexpr auto count = static_cast<double>(samples * samples);
+  constexpr auto count = static_cast<double>(samples_along_cell * samples_along_cell);
   const double left = square - sum * sum / count - (with_x * with_x + with_y * with_y) / places;
   return least < depth ? std::sqrt(std::max(0.0, left) / count) : 0;
 }
@@ -57,9 +57,9 @@ FineFeatures fine_features(const Slider& slider, const std::vector<double>& line
   FineFeatures worst;
   for (std::size_t j = 1; j < lines_y.size(); ++j) {
     for (std::size_t i = 1; i < lines_x.size(); ++i) {
-      const Cell cell{lines_x[i - 1], lines_y[j - 1], lines_x[i] - lines_x[i - 1],
-                      lines_y[j] - lines_y[j - 1]};
-      const double own = departure(underside, cell, depth);
+      const PlanCell cell{lines_x[i - 1], lines_y[j - 1], lines_x[i] - lines_x[i - 1],
+                          lines_y[j] - lines_y[j - 1]};
+      const double own = departure_in(underside, cell, depth);
       if (own > worst.departure) {
         worst = {own, {cell.length, cell.width}};
       }
@@ -75,7 +75,7 @@ std::optional<std::string> warn_of_fine_features(const Slider& slider,
     return std::nullopt;
   }
   const FineFeatures worst = fine_features(slider, lines_x, lines_y, depth);
-  if (worst.departure <= limit * depth) {
+  if (worst.departure <= departure_limit * depth) {
     return std::nullopt;
   }
   return fmt::format(

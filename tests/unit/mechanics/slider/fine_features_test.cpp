@@ -13,7 +13,7 @@
 namespace ionskin::mechanics {
 namespace {
 
-constexpr double depth = 5e-6; // [m]
+constexpr double reached_depth = 5e-6; // [m]
 
 /// A slider of 2 mm whose underside is a map on a grid of 10 um.
 Slider mapped(const std::function<double(double, double)>& height) {
@@ -47,35 +47,36 @@ double ripple(double x, double /*y*/) {
 TEST(FineFeatures, AreWhatCellsAverageAway) {
   const Slider slider = mapped(ripple);
   // A cell holds two periods: amplitude over root two, less the little of a sine that is a slope.
-  const FineFeatures coarse = fine_features(slider, lines_of(5), lines_of(5), depth);
+  const FineFeatures coarse = fine_features(slider, lines_of(5), lines_of(5), reached_depth);
   EXPECT_NEAR(coarse.departure, 1e-6 / std::numbers::sqrt2, 0.15e-6);
   EXPECT_NEAR(coarse.cell_size[0], 4e-4, 1e-12);
   // An eighth of a period is a plane to some percent.
-  EXPECT_LT(fine_features(slider, lines_of(80), lines_of(5), depth).departure, 0.06e-6);
+  EXPECT_LT(fine_features(slider, lines_of(80), lines_of(5), reached_depth).departure, 0.06e-6);
 }
 
 TEST(FineFeatures, OfARoundOrTiltedMapAreNone) {
   const Slider ball = mapped([](double x, double y) { return (x * x + y * y) / (2 * 20e-3); });
-  EXPECT_FALSE(warn_of_fine_features(ball, lines_of(10), lines_of(10), depth));
+  EXPECT_FALSE(warn_of_fine_features(ball, lines_of(10), lines_of(10), reached_depth));
   const Slider tilted = mapped([](double x, double y) { return 0.01 * x + 0.02 * y; });
   EXPECT_LT(fine_features(tilted, lines_of(5), lines_of(5), 1).departure, 1e-12);
 }
 
 TEST(FineFeatures, AreWarnedOfWithTheRemedyWhereTheyCount) {
   const Slider slider = mapped(ripple);
-  const auto warning = warn_of_fine_features(slider, lines_of(5), lines_of(5), depth);
+  const auto warning = warn_of_fine_features(slider, lines_of(5), lines_of(5), reached_depth);
   ASSERT_TRUE(warning);
   for (const char* part :
        {"400 um x 400 um", "of the deepest indentation", "numerics.mesh_refinement"}) {
     EXPECT_NE(warning->find(part), std::string::npos) << *warning;
   }
-  EXPECT_FALSE(warn_of_fine_features(slider, lines_of(80), lines_of(80), depth));
-  EXPECT_FALSE(warn_of_fine_features(slider, lines_of(5), lines_of(5), 20 * depth)); // shallow
+  EXPECT_FALSE(warn_of_fine_features(slider, lines_of(80), lines_of(80), reached_depth));
+  EXPECT_FALSE(
+      warn_of_fine_features(slider, lines_of(5), lines_of(5), 20 * reached_depth)); // shallow
   // Cells that the underside does not reach are left out.
   const Slider far =
       mapped([](double x, double y) { return ripple(x, y) + (x > 0.3e-3 ? 0 : 1e-3); });
   const std::vector<double> left{-1e-3, -0.6e-3, -0.2e-3};
-  EXPECT_EQ(fine_features(far, left, left, depth).departure, 0);
+  EXPECT_EQ(fine_features(far, left, left, reached_depth).departure, 0);
 }
 
 } // namespace
