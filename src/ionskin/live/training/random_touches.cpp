@@ -11,16 +11,16 @@
 namespace ionskin::live {
 namespace {
 
-constexpr double clearance = 1e-4;      // between touches [m]
-constexpr int rows_behind_corner = 50;  // the longest onset of sliding lasts about as long [ms]
-constexpr double milliseconds = 1e3;    // in a second
-constexpr double least_load = 0.15;     // over the heaviest
-constexpr double least_speed = 0.1;     // over the fastest
-constexpr double slowest_landing = 0.1; // [s]
-constexpr double pause = 0.2;           // between touches [s]
-constexpr double usual_speed = 3e-3;    // of a case whose slider never slides [m/s]
-constexpr double rest_share = 0.25;     // of the pieces
-constexpr double reversal_share = 0.3;  // of the strokes behind another
+constexpr double clearance = 1e-4;         // between touches [m]
+constexpr int rows_behind_corner = 50;     // the longest onset of sliding lasts about as long [ms]
+constexpr double milliseconds = 1e3;       // in a second
+constexpr double least_load = 0.15;        // over the heaviest
+constexpr double least_speed = 0.1;        // over the fastest
+constexpr double slowest_landing = 0.1;    // [s]
+constexpr double pause = 0.2;              // between touches [s]
+constexpr double usual_speed = 3e-3;       // of a case whose slider never slides [m/s]
+constexpr double rest_share = 0.25;        // of the pieces
+constexpr double turning_back_share = 0.3; // of the strokes behind another
 constexpr double shortest_rest = 0.1, longest_rest = 0.5; // [s]
 constexpr double shortest_reversal = 0.2; // of the way back to where the stroke before began
 constexpr int fewest_pieces = 2, most_pieces = 4;
@@ -162,7 +162,7 @@ Motion random_touches(const TouchRange& range, std::size_t count, std::uint64_t 
         from = at;
       } else {
         std::array<double, 2> to = place();
-        if (from != at && random.between(0, 1) < reversal_share) {
+        if (from != at && random.between(0, 1) < turning_back_share) {
           const double back = random.between(shortest_reversal, 1);
           to = {std::lerp(at[0], from[0], back), std::lerp(at[1], from[1], back)};
         }
