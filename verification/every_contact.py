@@ -19,7 +19,7 @@ from pathlib import Path
 
 PAPER = Path(__file__).resolve().parent.parent / "cases" / "paper.toml"
 FRICTION = "0.05:0.05:0.6"
-COMPLEMENTARITY, EQUILIBRIUM = 1e-8, 5e-3
+COMPLEMENTARITY, EQUILIBRIUM = 1e-8, 1e-3
 SHAPES = {
     "flat": 'shape = "flat"\nsize = ["3 mm", "1.5 mm"]\n',
     "rounded": 'shape = "flat"\nsize = ["1.5 mm", "1 mm"]\nedge_radius = "0.2 mm"\n',

@@ -53,7 +53,7 @@ double departure_in(const Underside& underside, const PlanCell& cell, double dep
 
 FineFeatures fine_features(const Slider& slider, const std::vector<double>& lines_x,
                            const std::vector<double>& lines_y, double depth) {
-  const Underside underside(slider);
+  const Underside underside(slider, slider.pose);
   FineFeatures worst;
   for (std::size_t j = 1; j < lines_y.size(); ++j) {
     for (std::size_t i = 1; i < lines_x.size(); ++i) {
