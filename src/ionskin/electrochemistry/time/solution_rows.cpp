@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace ionskin::electrochemistry {
 namespace {
@@ -68,6 +69,9 @@ SolutionRows::SolutionRows(const Case& input, const DerivedScales& scales,
   for (std::size_t i = 0; i < input.readout.taxels.size(); ++i) {
     is_own_[i] = input.readout.has_own_circuit(i);
     row_of_taxel_.push_back(input.readout.scan_row(i));
+  }
+  for (const std::vector<double>& share : segments_.share) {
+    segment_area_.push_back(std::accumulate(share.begin(), share.end(), 0.0));
   }
   for (const Taxel& line : input.readout.lines()) {
     line_names_.push_back(line.name);
@@ -149,6 +153,18 @@ void SolutionRows::append_conductors(const std::vector<ElectrodeRow>& electrodes
       segment.charge.back() = unit * row.charge;
       add_passed(unit * row.passed, !read || *read == row_of_taxel_[i], segment);
     }
+  }
+  give_rest(solution);
+}
+
+void SolutionRows::give_rest(IonSolution& solution) const {
+  double left = solution.charge_top.back(), area = 0.0;
+  for (std::size_t i = 0; i < is_own_.size(); ++i) {
+    left -= solution.top_segments[i].charge.back();
+    area += is_own_[i] ? 0.0 : segment_area_[i];
+  }
+  for (std::size_t i = 0; i < is_own_.size() && area > 0.0; ++i) {
+    solution.top_segments[i].charge.back() += is_own_[i] ? 0.0 : left * segment_area_[i] / area;
   }
 }
 

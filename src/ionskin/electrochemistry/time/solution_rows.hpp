@@ -55,6 +55,9 @@ private:
                          std::optional<std::size_t> read, IonSolution& solution) const;
   /// Appends the rows of conductors that the ground holds, which the solver takes for one.
   void append_held(std::optional<std::size_t> read, IonSolution& solution) const;
+  /// Gives to what has no circuit of its own what is left of the charge of the top electrode: the
+  /// circuits know theirs to rounding, the walls theirs as Newton left them.
+  void give_rest(IonSolution& solution) const;
   /// Appends the rows of the lines of a crossbar and of their crossings.
   void append_lines(const std::vector<ElectrodeRow>& lines, std::optional<std::size_t> read,
                     IonSolution& solution) const;
@@ -80,6 +83,7 @@ private:
   const CutElectrode* cut_;
   std::vector<bool> is_own_; ///< true where a segment is a taxel with a circuit of its own
   std::vector<std::size_t> row_of_taxel_; ///< of a scan
+  std::vector<double> segment_area_;      ///< in columns
   std::vector<std::string> line_names_;   ///< of a crossbar
 };
 
