@@ -13,7 +13,7 @@
 namespace ionskin::live {
 namespace {
 
-constexpr double step = 1e-3; // [s]
+constexpr double sample_step = 1e-3; // [s]
 constexpr double lightest_share = 0.1, slowest_share = 0.1;
 constexpr double resting_share = 0.3, same_load_share = 0.5, reversal_share = 0.3;
 constexpr double fewest_steps = 10, most_landing_steps = 80, most_steps = 150;
@@ -35,7 +35,7 @@ std::vector<std::vector<double>> contact_samples(const SkinData& data, const Tou
   std::array<double, 2> at{}, direction{};
   std::vector<std::vector<double>> samples;
   const auto press = [&](const std::array<double, 2>& place, double load) {
-    contact.step(step, place, {place[0] - at[0], place[1] - at[1]}, {range.is_force, load},
+    contact.step(sample_step, place, {place[0] - at[0], place[1] - at[1]}, {range.is_force, load},
                  {force, surface, memory, indentation, assembled_x, assembled_y});
     at = place;
     if (load > 0 && samples.size() < count && random.between(0, steps_a_sample) < 1) {
@@ -70,7 +70,7 @@ std::vector<std::vector<double>> contact_samples(const SkinData& data, const Tou
         const double angle = random.between(0, 2 * std::numbers::pi);
         direction = {std::cos(angle), std::sin(angle)};
       }
-      const double way = rests ? 0 : step * range.fastest * random.between(slowest_share, 1);
+      const double way = rests ? 0 : sample_step * range.fastest * random.between(slowest_share, 1);
       now = random.between(0, 1) < same_load_share ? now : load();
       for (double i = 1; i <= length; ++i) {
         std::array<double, 2> to{};

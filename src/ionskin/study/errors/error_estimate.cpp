@@ -34,10 +34,10 @@ namespace {
 namespace parts = error_parts;
 
 // Names of the runs beside those of the coarser solutions.
-constexpr const char* run = "run";
-constexpr const char* grid = "grid";           ///< twice the mesh sizes of Study 2
-constexpr const char* reference = "reference"; ///< with up to twice the time steps too
-constexpr const char* cells = "cells";         ///< as reference, shear on cells twice as wide
+constexpr const char* own_run = "run";
+constexpr const char* grid_run = "grid";           ///< twice the mesh sizes of Study 2
+constexpr const char* reference_run = "reference"; ///< with up to twice the time steps too
+constexpr const char* cells_run = "cells"; ///< as reference_run, shear on cells twice as wide
 
 MechanicsRecord on_wider_cells(const MechanicsRecord& mechanics) {
   MechanicsRecord result = mechanics;
@@ -119,14 +119,14 @@ bool has_instrument(const Readout& readout) {
 /// The coarser runs that tell the parts of a run of both studies.
 struct CoarserRuns {
   MechanicsRecord
-      wider; ///< of `cells`; the other runs have the run's own mechanics, or coarser solutions
+      wider; ///< of `cells_run`; the other runs have the run's own mechanics, or coarser solutions
   std::vector<Coarser> runs;
 
   explicit CoarserRuns(const MechanicsRecord& mechanics)
-      : runs{{grid, &mechanics, 1.0}, {reference, &mechanics, 0.5}} {
+      : runs{{grid_run, &mechanics, 1.0}, {reference_run, &mechanics, 0.5}} {
     if (mechanics.has_contact()) {
       wider = on_wider_cells(mechanics);
-      runs.push_back({cells, &wider});
+      runs.push_back({cells_run, &wider});
       for (const auto& [name, companion] : mechanics.companions) {
         runs.push_back({name, companion.get()});
       }
@@ -173,9 +173,9 @@ std::vector<NamedPair> mechanics_pairs(const MechanicsRecord& mechanics) {
     return {};
   }
   std::vector<NamedPair> pairs{
-      {parts::mechanics_mesh, reference, mechanics::companions::mesh},
+      {parts::mechanics_mesh, reference_run, mechanics::companions::mesh},
       {parts::path, mechanics::companions::mesh, mechanics::companions::path},
-      {parts::handover, reference, cells}};
+      {parts::handover, reference_run, cells_run}};
   if (mechanics.companions.contains(mechanics::companions::thickness)) {
     pairs.push_back(
         {parts::mechanics_mesh, mechanics::companions::thickness, mechanics::companions::mesh});
@@ -183,11 +183,11 @@ std::vector<NamedPair> mechanics_pairs(const MechanicsRecord& mechanics) {
   return pairs;
 }
 
-/// The same with those of Study 2; `run` is the run itself.
+/// The same with those of Study 2; `own_run` is the run itself.
 std::vector<NamedPair> all_pairs(const MechanicsRecord& mechanics) {
   std::vector<NamedPair> pairs = mechanics_pairs(mechanics);
-  pairs.push_back({parts::transport_grid, run, grid});
-  pairs.push_back({parts::time_steps, grid, reference});
+  pairs.push_back({parts::transport_grid, own_run, grid_run});
+  pairs.push_back({parts::time_steps, grid_run, reference_run});
   return pairs;
 }
 
@@ -230,7 +230,7 @@ ErrorEstimate estimate_errors(const Case& input, const MechanicsRecord& mechanic
       });
   const bool noisy = has_instrument(input.readout);
   const Signals& base =
-      results.emplace(run, noisy ? read_out(quiet, mechanics, ions, threads) : signals)
+      results.emplace(own_run, noisy ? read_out(quiet, mechanics, ions, threads) : signals)
           .first->second;
   const ErrorFloors floors{
       path_floor(mechanics),
@@ -261,9 +261,9 @@ std::vector<double> estimate_data_errors(const Case& input, const MechanicsRecor
       [&data](const Case&, const MechanicsRecord&, const electrochemistry::IonSolution& its) {
         return predict(data, its);
       });
-  results.emplace(run, predict(data, ions));
+  results.emplace(own_run, predict(data, ions));
   readout::SignalTable base;
-  base.columns = {{"time", "s", data.time}, {data.column, data.unit, results.at(run)}};
+  base.columns = {{"time", "s", data.time}, {data.column, data.unit, results.at(own_run)}};
   const auto table = [&](const char* name) {
     readout::SignalTable other = base;
     other.columns.back().values = results.at(name);
@@ -287,7 +287,8 @@ ErrorEstimate estimate_mechanics_errors(const Case& input, const MechanicsRecord
     return no_estimate(signals, no_companions);
   }
   std::map<std::string, Signals> results{
-      {reference, signals}, {cells, read_out_mechanics(input, on_wider_cells(mechanics), threads)}};
+      {reference_run, signals},
+      {cells_run, read_out_mechanics(input, on_wider_cells(mechanics), threads)}};
   for (const auto& [name, companion] : mechanics.companions) {
     results.emplace(name, read_out_mechanics(input, *companion, threads));
   }
