@@ -210,7 +210,7 @@ double moment_imbalance(const mechanics::ContactSolution& solution, const Case& 
     const auto& instant = *std::ranges::min_element(
         solution.stepped, {}, [&](const auto& at) { return std::abs(at.time - time); });
     const mechanics::CoreStrain strain =
-        instant.state->source->all_layers(instant.state->place).core;
+        instant.state->source->all_layers()(instant.state->place).core;
     const mesh::MeshLines lines = solution.mesh.lines(instant.centre);
     const auto x = halves(lines.x), y = halves(lines.y);
     const std::size_t first = solution.mesh.core_z()[0];

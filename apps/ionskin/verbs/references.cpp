@@ -34,7 +34,7 @@ bool has_lattice_ions(const Case& input) {
   return input.electrochemistry.ion_model == IonModel::steric;
 }
 
-bool moves_water(const Case& input) {
+bool has_moving_water(const Case& input) {
   return laws::coupling_law(input.coupling.law).traits.moves_water;
 }
 
@@ -117,7 +117,7 @@ constexpr std::array<Reference, 17> table{{
     {"biot1941", "pressure and flow of the water", "article", "Maurice A. Biot",
      "General Theory of Three-Dimensional Consolidation",
      "journal = {Journal of Applied Physics}, volume = {12}, number = {2}, pages = {155--164}",
-     1941, "10.1063/1.1712886", moves_water},
+     1941, "10.1063/1.1712886", has_moving_water},
     {"ramo1939", "charge of the electrodes", "article", "Simon Ramo",
      "Currents Induced by Electron Motion",
      "journal = {Proceedings of the IRE}, volume = {27}, number = {9}, pages = {584--585}", 1939,
