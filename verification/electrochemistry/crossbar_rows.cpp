@@ -20,7 +20,7 @@ namespace {
 using Complex = LinearCell::Complex;
 using electrochemistry::IonSolution;
 
-constexpr std::array compared_instants{1e-3, 0.01, 0.1, 1.0, 4.0};
+constexpr std::array crossbar_instants{1e-3, 0.01, 0.1, 1.0, 4.0};
 
 /// Keeps the voltages of lines far below the thermal voltage, as the linear equations want.
 constexpr double small = 0.01;
@@ -39,7 +39,7 @@ Case crossed(int rows, int columns) {
 
 std::vector<double> sample_times() {
   std::vector<double> times{0.0};
-  times.insert(times.end(), compared_instants.begin(), compared_instants.end());
+  times.insert(times.end(), crossbar_instants.begin(), crossbar_instants.end());
   return times;
 }
 
@@ -98,7 +98,7 @@ void add_bridge_rows(const Options& options, std::vector<Row>& rows) {
     return inverse_laplace([&](Complex s) { return voltages(s)[line]; }, time);
   };
   const double scale = std::abs(expected(0, 1e-3));
-  for (const double time : compared_instants) {
+  for (const double time : crossbar_instants) {
     rows.push_back(compare("E14", fmt::format("voltage of a loaded column at t = {} s [V]", time),
                            voltage(solution, 0, time), expected(0, time), 2e-3 * scale));
     rows.push_back(compare("E14", fmt::format("voltage of the open row at t = {} s [V]", time),
@@ -115,7 +115,7 @@ Case touched(TaxelWiring wiring) {
   return input;
 }
 
-void add_limit_rows(const Options& options, std::vector<Row>& rows) {
+void add_crossbar_limit_rows(const Options& options, std::vector<Row>& rows) {
   const history::CoreHistory touch = sliding_contact_history(1);
   const IonSolution one = run_model(touched(TaxelWiring::single), touch, options),
                     grounded = run_model(touched(TaxelWiring::crossbar), touch, options);
@@ -176,7 +176,7 @@ void add_swap_row(const Options& options, std::vector<Row>& rows) {
                         in_parts(turned, false, parts, step_amplitude, 0.2 * step_amplitude),
                         options);
   double difference = 0.0, scale = 0.0;
-  for (const double time : compared_instants) {
+  for (const double time : crossbar_instants) {
     for (std::size_t line = 0; line < 3; ++line) {
       const double above = voltage(one, line, time), below = voltage(other, 2 + line, time);
       difference = std::max(difference, std::abs(above - below));
@@ -206,7 +206,7 @@ void add_reciprocity_row(const Options& options, std::vector<Row>& rows) {
   };
   const IonSolution first = below(0), middle = below(1);
   double difference = 0.0, scale = 0.0;
-  for (const double time : compared_instants) {
+  for (const double time : crossbar_instants) {
     const double of_middle = voltage(first, 1, time), of_first = voltage(middle, 0, time);
     difference = std::max(difference, std::abs(of_middle - of_first));
     scale = std::max(scale, std::abs(of_middle));
@@ -220,7 +220,7 @@ void add_reciprocity_row(const Options& options, std::vector<Row>& rows) {
 std::vector<Row> crossbar_rows(const Options& options) {
   std::vector<Row> rows;
   add_bridge_rows(options, rows);
-  add_limit_rows(options, rows);
+  add_crossbar_limit_rows(options, rows);
   add_swap_row(options, rows);
   add_reciprocity_row(options, rows);
   return rows;
