@@ -13,7 +13,7 @@ from tiers import long_test
 
 DOCS = ROOT / "docs"
 # Only the case, its mesh and the number of points are made smaller.
-COARSE = "--set numerics.mesh_refinement=0.5 --set numerics.time_refinement=0.3"
+COARSE = "--set numerics.mesh_refinement=0.3 --set numerics.time_refinement=0.3 --set skin.sides=symmetry"
 SMALLER = (("init my_skin.toml", "init my_skin.toml --from quick"), ("cases/paper.toml", "cases/paper/coarse.toml"),
            ("contact.friction=0.05:0.05:0.5", "contact.friction=0.1,0.4"))
 # The tests `verification`, `program_fit` and `studio_jobs` run these.
