@@ -92,6 +92,21 @@ TEST(SolveContact, path_goes_from_touchdown_through_full_slip_to_nothing) {
   EXPECT_LT(at(solution, 0.5).source->worst_equilibrium_residual(), 2e-3);
 }
 
+TEST(SolveContact, planes_of_symmetry_carry_their_part_of_a_slide_across) {
+  Case input = small_case();
+  input.skin.sides = SideCondition::symmetry;
+  input.motion.direction = {0, 1};
+  input.motion.stroke = 2e-5;
+  const ContactSolution solution = solve(input);
+  for (const SteppedInstant& instant : solution.stepped) {
+    if (instant.state) {
+      core_strain(*instant.state);
+    }
+  }
+  EXPECT_GT(std::abs(at(solution, 0.7).tangential_force[1]), 0.1);
+  EXPECT_LT(touchdown(solution).source->worst_equilibrium_residual(), 2e-3);
+}
+
 TEST(SolveContact, a_slide_of_ten_times_the_steps_is_the_same) {
   const Case input = small_case();
   ContactOptions options;

@@ -57,6 +57,8 @@ public:
                     const std::optional<PlacesAcross>& across = std::nullopt,
                     int threads = 1) const;
   const std::vector<ElasticLayer>& layers() const { return box_->key.layers; }
+  /// True if rollers hold the sides, which then carry forces across the skin.
+  bool sides_on_rollers() const { return !box_->key.free_sides; }
 
   /// Parts of the skin that `CellProduct` takes: its short waves and their images in sides on
   /// rollers, which depend on the place across it; its long waves with the slider at a place [m];

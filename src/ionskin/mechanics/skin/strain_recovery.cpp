@@ -101,7 +101,8 @@ std::vector<double> largest_stresses(const SkinModel& model,
 }
 
 /// @param half whether each cell stands for its mirror image too
-double equilibrium_residual(const CellVector& forces, bool half,
+/// @param held_across whether the sides carry forces along y, which then differ from level to level
+double equilibrium_residual(const CellVector& forces, bool half, bool held_across,
                             const std::vector<std::array<double, 3>>& through_levels) {
   std::array<double, 3> sum{};
   for (std::size_t i = 0; i < forces.size(); ++i) {
@@ -110,6 +111,9 @@ double equilibrium_residual(const CellVector& forces, bool half,
   double largest = 0, difference = 0;
   for (std::size_t c = 0; c < 3; ++c) {
     largest = std::max(largest, std::abs(sum[c]));
+    if (held_across && c == 2) {
+      continue;
+    }
     for (const auto& level : through_levels) {
       difference = base::larger(difference, std::abs(level[c] - sum[c]));
     }
@@ -154,7 +158,8 @@ std::vector<RecoveredStrain> StrainRecovery::at(std::span<const std::array<doubl
   for (std::size_t i = 0; i < found.size(); ++i) {
     result.push_back(
         {core_strain(std::move(found[i].core)), largest_stresses(*model_, found[i].electrodes),
-         equilibrium_residual(forces[i], model_->mesh.half_model(), found[i].force_through_level)});
+         equilibrium_residual(forces[i], model_->mesh.half_model(),
+                              model_->layers.sides_on_rollers(), found[i].force_through_level)});
   }
   return result;
 }
