@@ -49,6 +49,11 @@ class Readouts(ProgramTest):
         self.assertGreater(numpy.abs(taxels["charge_top_a"]).max() / 8,
                            1.5 * numpy.abs(taxels["charge_top_b"]).max() / (5.3 * 0.7))
 
+    def test_open_taxels_over_all_of_the_electrode_have_no_balance(self):
+        _, out = self.read_out("all_open", "readout.taxels={rows = 2, columns = 2}", "readout.taxel_circuit=open",
+                               "coupling.law=column-neutral", "coupling.coefficient=1")
+        self.assertNotIn("taxel_balance_error", summary(out)["metrics"])
+
     def test_taxels_with_circuits_of_their_own(self):
         neutral, law = ("coupling.law=column-neutral", "coupling.coefficient=1")
         whole, out = self.read_out("own", f"readout.taxels={TAXELS}", "readout.taxel_circuit=open", neutral, law)

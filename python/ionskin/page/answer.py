@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """The sentences that a page opens with: what an instrument between the electrodes reads, with its error."""
 
+import math
+
 import numpy
 
 from ..charts.readout import VOLTAGE, has_own_circuits, has_voltages, is_crossbar, is_open
@@ -70,8 +72,15 @@ def of_own_taxel(results):
         return None
     name = max(names, key=lambda one: largest(results.sampled_taxels, one)[1])
     instant, peak = largest(results.sampled_taxels, name)
-    read = told(results, "peak_taxel_voltage", peak, unit) if unit == "V" else quantity(peak, unit, 3)
+    read = told(results, "peak_taxel_voltage", peak, unit) if unit == "V" else taxel_current(results, peak)
     return f"{words} {where(results, name.removeprefix(prefix)[:20])} reads up to {read}{event(results, instant)}."
+
+
+def taxel_current(results, peak):
+    """The peak current of an instrument, with the stated error of the largest current of a taxel where it is the same."""
+    known = results.metrics.get("peak_sampled_taxel_current")
+    same = known is not None and known.value is not None and math.isclose(known.value, peak, rel_tol=1e-3)
+    return told(results, "peak_sampled_taxel_current", peak, "A") if same else quantity(peak, "A", 3)
 
 
 def where(results, name):

@@ -4,6 +4,7 @@
 #include "ionskin/readout/electrode_current.hpp"
 #include "ionskin/readout/metrics.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <string>
@@ -99,6 +100,12 @@ double largest_of_taxels(const SignalTable& taxels, const std::string& prefix) {
     }
   }
   return largest;
+}
+
+bool carry_current(const SignalTable& taxels) {
+  return std::ranges::any_of(taxels.columns, [](const Signal& column) {
+    return column.name.starts_with(current_prefix) && peak_magnitude(column.values) > 0;
+  });
 }
 
 double taxel_balance_error(const SignalTable& taxels, const std::vector<double>& current_top) {

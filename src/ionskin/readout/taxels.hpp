@@ -40,6 +40,9 @@ double largest_of_taxels(const SignalTable& taxels, const std::string& prefix);
 /// Largest |current_top_NAME| of any taxel; what is left of the electrode between them is none [A].
 double largest_taxel_current(const SignalTable& taxels);
 
+/// True if a taxel, or what is left of the electrode between them, carries any current.
+bool carry_current(const SignalTable& taxels);
+
 /// Largest |sum of the taxels' currents - current of the whole electrode| over the peak of the
 /// latter; 0 when both vanish.
 /// @param current_top of the whole electrode [A]

@@ -38,6 +38,8 @@ TEST(Taxels, BalanceIsAgainstTheWholeElectrode) {
   EXPECT_EQ(taxel_balance_error(table, {0, -4, 2}), 0);
   EXPECT_DOUBLE_EQ(taxel_balance_error(table, {0, -5, 2}), 1.0 / 5);
   EXPECT_EQ(taxel_balance_error(taxel_signals({0, 1}, {{"a", {2, 2}}}), {0, 0}), 0);
+  EXPECT_FALSE(carry_current(taxel_signals({0, 1}, {{"a", {2, 2}}})));
+  EXPECT_TRUE(carry_current(taxel_signals({0, 1}, {{"a", {2, 2}}, {"b", {0, 1}}})));
 }
 
 } // namespace

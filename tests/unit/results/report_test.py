@@ -418,6 +418,12 @@ taxels = {rows = 1, columns = 2}
         self.assertIsNone(readout.taxel_voltages(results))
         self.assertEqual(readout.taxel_map(results).rows[0][0].map.high, 4e-9)
         self.assertTrue(answer.sentences(results)[0].startswith("An ammeter between the taxel r1c2 and the bottom electrode reads up to 2 nA"))
+        path = results.folder / "summary.json"
+        told = json.loads(path.read_text())
+        told["metrics"]["peak_sampled_taxel_current"] = {"value": 2e-9, "unit": "A"}
+        told["error_estimate"]["peak_sampled_taxel_current"] = 0.08
+        path.write_text(json.dumps(told))
+        self.assertIn(" reads up to 2 nA (± 8 %)", answer.sentences(Results(results.folder))[0])
 
 
 class LinesThatCross(unittest.TestCase):
