@@ -10,7 +10,7 @@ import unittest
 from program import QUICK, SMALL, ProgramTest, signals, summary
 
 SEED = 20261122
-DAMAGED = 24  # folders
+DAMAGED = 12  # folders
 
 
 def flip(content, dice):

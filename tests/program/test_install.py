@@ -10,6 +10,7 @@ import unittest
 import zipfile
 
 from program import PROGRAM, QUICK, ROOT, ProgramTest, summary
+from tiers import long_test
 
 BUILD = PROGRAM.parent
 PYTHON = "/usr/bin/python3"
@@ -38,11 +39,16 @@ class Install(ProgramTest):
         self.program()
         self.python()
         self.shell_files()
-        self.library()
-        self.live()
         # No file names the tree it was made in, but for the fallback of programs that stand elsewhere.
         for file in (*self.prefix.rglob("*.cmake"), *self.prefix.rglob("*.py")):
             self.assertNotIn(str(ROOT), file.read_text(), file)
+
+    @long_test
+    def test_programs_that_link_to_it(self):
+        """Most of its time goes into compiling them."""
+        self.command(self.prefix / "bin" / "ionskin", "init", "case.toml", "--from", "quick")
+        self.library()
+        self.live()
 
     def program(self):
         program = self.prefix / "bin" / "ionskin"

@@ -117,6 +117,7 @@ class Pages(ProgramTest):
     def test_all(self):
         self.draw(pairwise(FACTORS))
 
+    @long_test
     def test_starters_without_strokes(self):
         for name, refinement in (("bending", 0.5), ("strain_file", 0.5), ("waypoints", 0.3)):
             with self.subTest(name):

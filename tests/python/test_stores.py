@@ -166,6 +166,7 @@ class Stores(PackageTest):
                 self.assert_answered(study, "overwrite")
         shutil.rmtree(self.out)
 
+    @long_test
     def test_outcomes_that_are_none(self):
         """Each is read as missing, so that its trial is run again; the numbers of the study are then those of a whole one."""
         with mock.patch.object(uncertainty.output, "indices_figure", lambda *_: None), \
