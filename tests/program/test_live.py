@@ -69,7 +69,7 @@ class LiveTest(ProgramTest):
         skin = ionskin.live.Skin(self.trained)
         signals = skin.run(times, numpy.column_stack([1e-3 * x, numpy.full_like(x, 1e-3)]), heights=1e-6 * heights)
         self.assertFalse(signals.flags.any())
-        for name, table in (("normal_force", full.signals), ("charge_top", full.signals),
+        for name, table in (("normal_force", full.signals), ("moment_y", full.signals), ("charge_top", full.signals),
                             ("charge_top_b", full.taxels)):
             with self.subTest(name):
                 reference = numpy.interp(times, table["time"], table[name])
@@ -96,6 +96,22 @@ class LiveTest(ProgramTest):
             for name in run:
                 numpy.testing.assert_array_equal(other[name], run[name])
         numpy.testing.assert_allclose(run["normal_force"], forces, rtol=1e-4)
+
+    def test_tells_the_stiffness_of_the_contact(self):
+        """It is the difference of steps, in columns that the skin knows."""
+        skin = ionskin.live.Skin(self.trained)
+        with self.assertRaisesRegex(ValueError, "call step first"):
+            skin.stiffness()
+        skin.step(0, (5e-3, 1e-3), height=-6e-7)
+        state, pressed = skin.save(), skin.step(1e-3, (5e-3 + 1e-8, 1e-3), height=-6e-7)
+        stiffness = skin.stiffness()
+        numpy.testing.assert_array_equal(skin.copy().stiffness(), stiffness)
+        skin.restore(state)
+        with self.assertRaisesRegex(ValueError, "call step first"):
+            skin.stiffness()
+        deeper = skin.step(1e-3, (5e-3 + 1e-8, 1e-3), height=-6e-7 - 1e-9)
+        by_height = (pressed["normal_force"] - deeper["normal_force"]) / 1e-9
+        self.assertAlmostEqual(-stiffness[2, 2] / by_height, 1, delta=1e-3)
 
     def play(self):
         """A press, a slide and a lift as a page; its path and the signals."""
@@ -226,9 +242,9 @@ class LiveTest(ProgramTest):
             self.assertFalse(one.flags.any())
             images = {f"{kind}_{a}": f"{kind}_{b}" for kind in ("charge_top", "current_top") for a, b in zip("abcd", "dcba")}
             for name in one:
-                if name in ("slider_x", "stick_share", "residual", "tangential_force_y"):
+                if name in ("slider_x", "stick_share", "residual", "tangential_force_y", "moment_x", "moment_z"):
                     continue
-                sign = -1 if name.startswith("tangential_force") else 1
+                sign = -1 if name.startswith(("tangential_force", "moment_y")) else 1
                 with self.subTest(name, loads=list(loads)):
                     largest = numpy.abs(one[name]).max()
                     difference = numpy.abs(one[name] - sign * other[images.get(name, name)]).max()

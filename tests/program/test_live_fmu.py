@@ -63,7 +63,7 @@ class FmuTest(ProgramTest):
         self.assertEqual(list(self.fmu.variables)[:6], ["x", "y", "height", "force", "friction", "force_control"])
         self.assertLessEqual({f"{signal}_{taxel}" for signal in ("charge_top", "current_top") for taxel in "abcd"},
                              set(self.fmu.variables))
-        for name, unit in (("x", "m"), ("force", "N"), ("contact_area", "m2"), ("tangential_force_x", "N"),
+        for name, unit in (("x", "m"), ("force", "N"), ("contact_area", "m2"), ("tangential_force_x", "N"), ("moment_y", "N.m"),
                            ("charge_top_b", "C"), ("current_top_b", "A"), ("stick_share", None), ("friction", None)):
             self.assertEqual(self.fmu.variables[name][0].get("unit"), unit, name)
 

@@ -43,7 +43,7 @@ def _declared(library: ctypes.CDLL) -> ctypes.CDLL:
             ("step", ctypes.c_uint32, [skin, number, number, number, ctypes.c_int, number, NUMBERS]),
             ("run", None, [skin, size, NUMBERS, NUMBERS, ctypes.c_int, NUMBERS, NUMBERS,
                            ctypes.POINTER(ctypes.c_uint32)]),
-            ("state_size", size, [skin]), ("save", None, [skin, NUMBERS]),
+            ("stiffness", ctypes.c_int, [skin, NUMBERS]), ("state_size", size, [skin]), ("save", None, [skin, NUMBERS]),
             ("restore", ctypes.c_int, [skin, NUMBERS, size]), ("reset", None, [skin]),
             ("set_friction", ctypes.c_int, [skin, number]), ("friction", None, [skin, NUMBERS]),
             ("text", text, [skin, text]), ("range", None, [skin, NUMBERS]), ("size", None, [skin, NUMBERS]),

@@ -35,7 +35,7 @@ class Skin:
             warnings.warn(f"{os.fspath(path)}: {shortfall}", LiveSkinWarning, stacklevel=2)
 
     def _take_names(self) -> None:
-        self._time = None
+        self._time, self._stepped = None, False
         self._columns = {self._library.ionskin_live_signal_name(self._handle, i).decode(): i
                          for i in range(self._library.ionskin_live_signal_count(self._handle))}
 
@@ -142,8 +142,22 @@ class Skin:
         value = finite("force" if kind else "height", value, ())
         signals = numpy.empty(len(self._columns))
         flags = self._library.ionskin_live_step(self._handle, time, place[0], place[1], kind, value, pointer(signals))
-        self._time = time
+        self._time, self._stepped = time, True
         return Signals(self._columns, signals, flags)
+
+    def stiffness(self) -> numpy.ndarray:
+        """Derivative [6, 6] of the last step's wrench on the skin, forces along and moments about x, y and z, by a rigid
+        motion of the slider at the end of that step: ways along x, y and z [m], turns about x, y and z through its centre on
+        the undeformed top face [rad]. Of a skin that is computed as one half, columns 1, 3 and 5 are NaN. ValueError: no
+        step led to this state. ArithmeticError: it was not found."""
+        if self._time is None:
+            raise ValueError("stiffness: no step was taken, of which it is the derivative; call step first")
+        values = numpy.empty((6, 6))
+        if not self._library.ionskin_live_stiffness(self._handle, pointer(values)):
+            if not self._stepped:
+                raise ValueError("stiffness: the state was restored, and the step that led to it is unknown; call step first")
+            raise ArithmeticError("stiffness: the equations of the contact were not solved")
+        return values
 
     def run(self, times: Sequence[float], positions, *, heights=None, forces=None) -> Signals:
         """Many steps at once: times [n], positions [n, 2], heights or forces [n]; signals are arrays [n]."""
@@ -161,7 +175,7 @@ class Skin:
             self._library.ionskin_live_run(self._handle, len(times), pointer(times), pointer(positions), kind,
                                            pointer(values), pointer(signals),
                                            flags.ctypes.data_as(ctypes.POINTER(ctypes.c_uint32)))
-            self._time = float(times[-1])
+            self._time, self._stepped = float(times[-1]), True
         return Signals(self._columns, signals, flags)
 
     def play(self, path: str | os.PathLike, times: Sequence[float], positions, *, heights=None, forces=None) -> Signals:
@@ -189,7 +203,7 @@ class Skin:
         if not other._handle:
             raise MemoryError("no memory for another skin")
         other._take_names()
-        other._time = self._time
+        other._time, other._stepped = self._time, self._stepped
         return other
 
     __copy__ = copy
@@ -225,12 +239,12 @@ class Skin:
             raise ValueError("state: is that of a skin from another file, or damaged: a number is not finite or beyond what a "
                              "step can leave")
         # First numbers of a state: whether it was stepped, and when.
-        self._time = float(values[1]) if values[0] else None
+        self._time, self._stepped = float(values[1]) if values[0] else None, False
 
     def reset(self) -> None:
         """Back to a detached skin at rest."""
         self._library.ionskin_live_reset(self._handle)
-        self._time = None
+        self._time, self._stepped = None, False
 
     def _require_ascending(self, time: float) -> None:
         if self._time is not None and time < self._time:

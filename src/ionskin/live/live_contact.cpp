@@ -54,13 +54,20 @@ LiveContact::LiveContact(const SkinData& data)
       before_(size_), amplitude_(data.compliance.modes()), drag_(data.area.size()),
       slips_(data.area.size()), correction_(data.area.size()), tangential_(data.area.size()),
       touching_(data.area.size()), from_gaps_(data.area.size()),
-      from_indentation_(data.area.size()) {
+      from_indentation_(data.area.size()), memory_before_(memory_size_),
+      force_by_motion_(motions * size_), surface_by_motion_(motions * size_) {
   for (std::size_t at = 0; at < (1 + amplitude_.size()) * size_; ++at) {
     const std::size_t mode = at / size_, own = at % size_;
     diagonals_.push_back(data.compliance.values[(mode * size_ + own) * size_ + own]);
   }
   if (amplitude_.empty()) { // the same at every place
     own_.assign(diagonals_.begin(), diagonals_.end());
+  }
+  const std::vector<double>&x = data.cell_lines_x, &y = data.cell_lines_y;
+  for (std::size_t j = 1; j < y.size(); ++j) {
+    for (std::size_t i = 1; i < x.size(); ++i) {
+      middle_.push_back({(x[i - 1] + x[i]) / 2, (y[j - 1] + y[j]) / 2});
+    }
   }
 }
 
@@ -69,6 +76,7 @@ void LiveContact::set_friction(double coefficient) {
 }
 
 void LiveContact::assemble(const State& state) noexcept {
+  stepped_ = false;
   if (std::isnan(state.assembled_x)) {
     return;
   }
@@ -86,6 +94,7 @@ void LiveContact::assemble(const State& state) noexcept {
 
 void LiveContact::exchange(laws::Friction& friction, const State& state) noexcept {
   std::swap(friction_, friction);
+  stepped_ = false;
   if (!amplitude_.empty()) {
     assemble(state);
   }
@@ -169,36 +178,41 @@ LiveContact::Sweep LiveContact::sweep(double time_step, const std::array<double,
   return result;
 }
 
-/// Newton's step for the normal forces of the cells that touch, while friction follows them where a
-/// cell slips; under a force the indentation follows too.
-/// @returns false when nothing has changed
-bool LiveContact::correct(const Load& load, State& state) noexcept {
+std::span<const std::size_t> LiveContact::find_touching(const State& state) noexcept {
   std::size_t count = 0;
   for (std::size_t cell = 0; cell < data_.area.size(); ++cell) {
     if (state.force[3 * cell] > 0) {
       touching_[count++] = cell;
     }
   }
-  const std::span touching = std::span(touching_).first(count);
-  if (count == 0) {
-    return false;
+  return std::span(touching_).first(count);
+}
+
+/// Takes and factors the normal compliance of the cells that touch, with their friction.
+bool LiveContact::take_normal(std::span<const std::size_t> touching) noexcept {
+  correction_.take(touching);
+  for (std::size_t j = 0; j < touching.size(); ++j) {
+    const std::size_t cell = touching[j];
+    const float *normal = column(3 * cell), *x = column(3 * cell + 1), *y = column(3 * cell + 2);
+    const auto drag_x = static_cast<float>(drag_[cell][0]),
+               drag_y = static_cast<float>(drag_[cell][1]);
+    const std::span<float> into = correction_.column(j);
+    for (std::size_t i = 0; i < touching.size(); ++i) {
+      const std::size_t row = 3 * touching[i];
+      into[i] = normal[row] + drag_x * x[row] + drag_y * y[row];
+    }
   }
-  if (!correction_.is_of(touching)) {
-    correction_.take(touching);
-    for (std::size_t j = 0; j < count; ++j) {
-      const std::size_t cell = touching[j];
-      const float *normal = column(3 * cell), *x = column(3 * cell + 1), *y = column(3 * cell + 2);
-      const auto drag_x = static_cast<float>(drag_[cell][0]),
-                 drag_y = static_cast<float>(drag_[cell][1]);
-      const std::span<float> into = correction_.column(j);
-      for (std::size_t i = 0; i < count; ++i) {
-        const std::size_t row = 3 * touching[i];
-        into[i] = normal[row] + drag_x * x[row] + drag_y * y[row];
-      }
-    }
-    if (!correction_.factor()) {
-      return false;
-    }
+  return correction_.factor();
+}
+
+/// Newton's step for the normal forces of the cells that touch, while friction follows them where a
+/// cell slips; under a force the indentation follows too.
+/// @returns false when nothing has changed
+bool LiveContact::correct(const Load& load, State& state) noexcept {
+  const std::span<const std::size_t> touching = find_touching(state);
+  const std::size_t count = touching.size();
+  if (count == 0 || !(correction_.is_of(touching) || take_normal(touching))) {
+    return false;
   }
   const std::span from_gaps = std::span(from_gaps_).first(count),
                   from_indentation = std::span(from_indentation_).first(count);
@@ -316,6 +330,9 @@ double LiveContact::step(double time_step, const std::array<double, 2>& place,
     assemble(state);
   }
   std::ranges::fill(slips_, char{0});
+  stepped_ = true;
+  time_step_ = time_step = std::max(time_step, shortest_step);
+  travel_ = travel;
   if (load.value <= (load.is_force ? 0.0 : first_touch_)) {
     std::fill(state.force.begin(), state.force.end(), 0.0);
     std::fill(state.surface.begin(), state.surface.end(), 0.0);
@@ -323,7 +340,7 @@ double LiveContact::step(double time_step, const std::array<double, 2>& place,
     state.indentation = load.is_force ? first_touch_ : load.value;
     return 0;
   }
-  time_step = std::max(time_step, shortest_step);
+  std::ranges::copy(state.memory, memory_before_.begin());
   std::copy(state.surface.begin(), state.surface.end(), before_.begin());
   std::fill(state.surface.begin(), state.surface.end(), 0.0);
   for (std::size_t cell = 0, at = 0; at < size_; ++cell, at += 3) {

@@ -3,15 +3,18 @@
 
 #include "ionskin/laws/friction/elastic_slip.hpp"
 #include "ionskin/laws/friction/return_mapping.hpp"
-#include "ionskin/live/normal_correction.hpp"
+#include "ionskin/live/corrections/normal_correction.hpp"
+#include "ionskin/live/corrections/tangential_correction.hpp"
 #include "ionskin/live/skin_data.hpp"
-#include "ionskin/live/tangential_correction.hpp"
 
 #include <array>
 #include <span>
 #include <vector>
 
 namespace ionskin::live {
+
+/// Motions of a rigid slider: along x, y and z, about x, y and z.
+inline constexpr std::size_t motions = 6;
 
 /// One increment of contact and friction by at most so many sweeps of projected Gauss-Seidel, which
 /// start from the forces of the step before, with Newton's steps for the normal and for the
@@ -42,7 +45,17 @@ public:
   void assemble(const State& state) noexcept;
   /// Goes over to another skin of the same file, with a friction of its own.
   void exchange(laws::Friction& friction, const State& state) noexcept;
+  /// Derivative of the wrench on the meshed part, docs/model.md (79), by a rigid motion of the
+  /// slider at the end of the last step, which begins as it did, docs/model.md (80): forces along
+  /// x, y and z, moments about x, y and z [row] by ways along x, y and z, turns about x, y and z
+  /// through the slider's centre on the undeformed top face [column].
+  /// @returns false where there was no step in this state, or the equations were not solved
+  bool stiffness(const State& state, std::span<double, 36> matrix) noexcept;
+  /// Leaves the last step, as another state is taken up.
+  void leave() noexcept { stepped_ = false; }
   bool slips(std::size_t cell) const { return slips_[cell] != 0; } ///< of the last step
+  /// Middle of a cell, from the slider's centre [m].
+  const std::array<double, 2>& middle(std::size_t cell) const { return middle_[cell]; }
   /// Numbers that the friction law keeps from step to step: of each cell its elastic slip along x
   /// and y [m] and the limit under which it was made [Pa], or the speed that it follows with a lag
   /// [m/s]; none for a law that remembers nothing.
@@ -63,6 +76,10 @@ private:
   laws::FrictionResponse friction_at(std::size_t cell, double normal, double time_step,
                                      const std::array<double, 2>& travel,
                                      const State& state) const noexcept;
+  bool take_normal(std::span<const std::size_t> touching) noexcept;
+  std::span<const std::size_t> find_touching(const State& state) noexcept;
+  // The derivatives stand in contact_stiffness.cpp.
+  double leave_residual(std::span<const std::size_t> touching, const State& state) noexcept;
   void add_up(const State& state) noexcept;
   bool correct(const Load& load, State& state) noexcept;
   bool correct_friction(double time_step, const std::array<double, 2>& travel,
@@ -76,6 +93,7 @@ private:
   laws::Friction friction_;
   std::size_t size_, memory_size_;
   double first_touch_;
+  std::vector<std::array<double, 2>> middle_;
   std::vector<float> compliance_;           ///< [column][row], where `assembled_` says so
   std::vector<char> assembled_;             ///< columns
   std::vector<double> own_;                 ///< [3 cells] diagonal
@@ -89,6 +107,14 @@ private:
   double largest_ = 0, total_ = 0; ///< normal force of a cell, and of all [N]
   std::vector<std::size_t> touching_;
   std::vector<float> from_gaps_, from_indentation_;
+  // The last step, for its derivatives.
+  bool stepped_ = false;
+  double time_step_ = 0;
+  std::array<double, 2> travel_{};
+  std::vector<double> memory_before_;
+  /// Derivatives of each force of a cell by each motion, and those of the surfaces, or what of
+  /// their equations is missed.
+  std::vector<double> force_by_motion_, surface_by_motion_;
 };
 
 /// The friction law of a skin with a coefficient. Throws where there is none of its name.

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace ionskin::live {
 namespace {
@@ -52,6 +53,8 @@ Skin::Skin(const SkinData& data)
       names_.push_back(quantity + taxel);
     }
   }
+  // Behind the others, which keep their places.
+  names_.insert(names_.end(), {"moment_x", "moment_y", "moment_z"});
   const std::size_t size = 3 * data.area.size(), outputs = sides * regions_;
   force_ = singles;
   surface_ = force_ + size;
@@ -95,14 +98,19 @@ bool Skin::set_friction(double coefficient) {
   return true;
 }
 
+/// Forces and moments, docs/model.md (79), and areas.
 void Skin::add_contact(std::span<double> signals) noexcept {
   double touching = 0, sticking = 0;
-  std::array<double, 3> sum{};
+  std::array<double, 3> sum{}, moment{};
   for (std::size_t cell = 0; cell < data_.area.size(); ++cell) {
     const double* force = state_.data() + force_ + 3 * cell;
     for (std::size_t c = 0; c < 3; ++c) {
       sum[c] += force[c] / data_.meshed_share;
     }
+    const auto [x, y] = contact_.middle(cell);
+    moment[0] -= y * force[0] / data_.meshed_share;
+    moment[1] += x * force[0] / data_.meshed_share;
+    moment[2] += (x * force[2] - y * force[1]) / data_.meshed_share;
     pressure_[cell] = force[0] / data_.area[cell];
     if (force[0] > 0) {
       touching += data_.area[cell];
@@ -110,12 +118,13 @@ void Skin::add_contact(std::span<double> signals) noexcept {
     }
   }
   if (data_.meshed_share < 1) {
-    sum[2] = 0; // those of both halves cancel
+    sum[2] = moment[0] = moment[2] = 0; // those of both halves cancel
   }
   signals[normal_force] = sum[0];
   signals[tangential_force] = sum[1] * data_.direction[0] + sum[2] * data_.direction[1];
   signals[tangential_force_x] = sum[1];
   signals[tangential_force_y] = sum[2];
+  std::ranges::copy(moment, signals.end() - static_cast<std::ptrdiff_t>(moment.size()));
   signals[contact_area] =
       mechanics::covered_area({data_.cell_lines_x, data_.cell_lines_y, data_.area}, pressure_) /
       data_.meshed_share;
@@ -190,6 +199,23 @@ Skin::Pressed Skin::press(double time, const std::array<double, 2>& place, bool 
   flags |= heavy ? flag::outside_load : 0;
   flags |= is_force && value < 0 ? flag::pulled : 0;
   return pressed;
+}
+
+bool Skin::stiffness(std::span<double, 36> matrix) noexcept {
+  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+  const bool known = contact_.stiffness(contact_state(), matrix);
+  for (std::size_t row = 0; row < motions; ++row) {
+    for (std::size_t motion = 0; motion < motions; ++motion) {
+      double& value = matrix[motions * row + motion];
+      value /= data_.meshed_share;
+      if (data_.meshed_share < 1) { // the halves know what is alike on both
+        const bool across = motion == 1 || motion == 3 || motion == 5;
+        value = across ? unknown : row == 1 || row == 3 || row == 5 ? 0 : value;
+      }
+      value = known ? value : unknown;
+    }
+  }
+  return known;
 }
 
 void Skin::tell(const Pressed& pressed, std::span<const ChannelField> fields, std::size_t lane,

@@ -49,6 +49,12 @@ public:
   std::uint32_t step(double time, const std::array<double, 2>& place, bool is_force, double value,
                      std::span<double> signals) noexcept;
 
+  /// Derivative of the last step's wrench on the whole skin by a motion of the slider,
+  /// [forces along x, y, z, moments about x, y, z][ways along x, y, z, turns about x, y, z]:
+  /// docs/model.md (80). Of a half skin, those by ways along y and turns about x and z are NaN.
+  /// @returns false, and NaN, where no step led to this state, or the equations were not solved
+  bool stiffness(std::span<double, 36> matrix) noexcept;
+
   /// Sets another coefficient of friction, of the slider that touches now; it is not part of the
   /// state, and takes memory.
   /// @returns whether it is within the trained range; if not nothing changes

@@ -22,6 +22,7 @@ bool all_within(std::span<const double> values, double most) {
 } // namespace
 
 void Skin::reset() noexcept {
+  contact_.leave();
   std::fill(state_.begin(), state_.end(), 0.0);
   state_[assembled_x] = state_[assembled_y] = std::numeric_limits<double>::quiet_NaN();
 }
@@ -31,6 +32,7 @@ bool Skin::restore(std::span<const double> state) noexcept {
     return false;
   }
   std::copy(state.begin(), state.end(), state_.begin());
+  contact_.leave();
   contact_.assemble(contact_state());
   return true;
 }

@@ -10,6 +10,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <span>
 #include <string>
 
 namespace ionskin::live {
@@ -46,14 +47,19 @@ public:
   explicit Engine(const SkinData& data)
       : contact_([matrix = compliance(data)](const auto&,
                                              auto& problem) { problem.compliance = matrix; },
-                 data.area, data.gap, friction_of(data, data.friction)) {}
+                 data.area, data.gap, friction_of(data, data.friction)),
+        lines_(data.cell_lines_x) {}
 
-  std::array<double, 3> step(double time_step, const std::array<double, 2>& place, double depth) {
+  /// Forces and moments; the cells stand in one row.
+  std::array<double, 6> step(double time_step, const std::array<double, 2>& place, double depth) {
     const auto& force =
         contact_.step(time_step, place, {mechanics::LoadKind::indentation, depth}).force;
-    std::array<double, 3> sum{};
+    std::array<double, 6> sum{};
     for (std::size_t i = 0; i < force.size(); ++i) {
+      const double arm = (lines_[i / 3] + lines_[i / 3 + 1]) / 2;
       sum[i % 3] += force[i];
+      sum[4] += i % 3 == 0 ? arm * force[i] : 0;
+      sum[5] += i % 3 == 2 ? arm * force[i] : 0;
     }
     return sum;
   }
@@ -66,6 +72,7 @@ private:
   }
 
   mechanics::SlidingContact contact_;
+  std::vector<double> lines_;
 };
 
 /// A slide that lands, turns, rests and leaves.
@@ -95,9 +102,13 @@ TEST(LiveFriction, IsThatOfTheEngineUnderEveryLaw) {
       skin.step(1e-3 * i, at.place, false, -at.depth, signals);
       const auto expected = engine.step(i == 0 ? 1e-9 : 1e-3, at.place, at.depth);
       largest = std::max(largest, expected[0]);
-      const std::array<double, 3> found{signals[3], signals[5], signals[6]};
-      for (std::size_t c = 0; c < 3; ++c) {
-        ASSERT_NEAR(found[c], expected[c], 1e-5 * largest) << "step " << i << " component " << c;
+      const auto moment = std::span(signals).last(3);
+      const std::array<double, 6> found{signals[3], signals[5], signals[6],
+                                        moment[0],  moment[1],  moment[2]};
+      for (std::size_t c = 0; c < found.size(); ++c) {
+        const double arm = c < 3 ? 1 : data.cell_lines_x.back();
+        ASSERT_NEAR(found[c], expected[c], 1e-5 * largest * arm)
+            << "step " << i << " component " << c;
       }
     }
   }

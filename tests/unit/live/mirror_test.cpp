@@ -94,7 +94,8 @@ TEST(MirroredPaths, HaveMirroredSignalsUnderEveryFriction) {
       const auto other = signals_of(data, path, mirrored);
       for (const auto& [name, sign] : {std::pair{"normal_force", 1.0},
                                        {"contact_area", 1.0},
-
+                                       {"moment_x", mirrored[1] ? -1.0 : 1.0},
+                                       {"moment_y", mirrored[0] ? -1.0 : 1.0},
                                        {"tangential_force_x", mirrored[0] ? -1.0 : 1.0},
                                        {"tangential_force_y", mirrored[1] ? -1.0 : 1.0}}) {
         const auto at =

@@ -4,14 +4,21 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <functional>
+#include <set>
 #include <vector>
 
 namespace ionskin::live {
 namespace {
 
 constexpr std::size_t most_named_errors = 4; // in a line
+constexpr double vanishing = 1e-3;           // of the heaviest force at the corner of the cells
+
+bool is_no_moment(const SignalError& error, const SkinData& data) {
+  return error.name.starts_with("moment_") && error.largest < least_moment(data);
+}
 
 double relative_rms(const SignalError& error) {
   return error.rms / error.largest;
@@ -19,10 +26,27 @@ double relative_rms(const SignalError& error) {
 
 } // namespace
 
+double least_moment(const SkinData& data) {
+  const auto extent = [](const std::vector<double>& lines) { return lines.back() - lines.front(); };
+  return vanishing * data.heaviest_force *
+         std::hypot(extent(data.cell_lines_x), extent(data.cell_lines_y)) / 2;
+}
+
+void leave_out_no_moments(SkinData& data) {
+  std::set<std::string> none;
+  for (const SignalError& error : data.errors) {
+    if (error.event.empty() && is_no_moment(error, data)) {
+      none.insert(error.name);
+    }
+  }
+  std::erase_if(data.errors, [&](const SignalError& error) { return none.contains(error.name); });
+}
+
 std::string shortfall(const SkinData& data) {
   std::vector<SignalError> worse;
   for (const SignalError& error : data.errors) {
-    if (!error.event.empty() && error.largest > 0 && relative_rms(error) > promised_error) {
+    if (!error.event.empty() && error.largest > 0 && relative_rms(error) > promised_error &&
+        !is_no_moment(error, data)) {
       worse.push_back(error);
     }
   }

@@ -11,6 +11,13 @@ namespace ionskin::live {
 /// of the signal within such events [1].
 inline constexpr double promised_error = 0.1;
 
+/// Moment below which one is none: what rounding and sweeps leave of a moment that symmetry forbids
+/// [N m].
+double least_moment(const SkinData& data);
+
+/// Leaves out the errors of moments that stay below `least_moment`: there is nothing to compare.
+void leave_out_no_moments(SkinData& data);
+
 /// One line on the signals and events whose stated errors are above the promise, the worst first;
 /// empty where all keep it.
 std::string shortfall(const SkinData& data);

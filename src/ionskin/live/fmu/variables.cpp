@@ -25,6 +25,9 @@ std::string unit_of(const std::string& name) {
   if (name == "contact_area") {
     return "m2";
   }
+  if (name.starts_with("moment_")) {
+    return "N.m";
+  }
   return name.find("_force") != std::string::npos ? "N" : "";
 }
 
@@ -37,6 +40,9 @@ std::string description_of(const std::string& name) {
       {"tangential_force", "Force on the skin along the first slide of the case"},
       {"tangential_force_x", "Force on the skin along x"},
       {"tangential_force_y", "Force on the skin along y"},
+      {"moment_x", "Moment on the skin about x through the slider's centre"},
+      {"moment_y", "Moment on the skin about y through the slider's centre"},
+      {"moment_z", "Moment on the skin about z through the slider's centre"},
       {"contact_area", "Area of the contact"},
       {"stick_share", "Share of the contact area in which nothing slips"},
       {"mean_shear", "Mean shear of the core"},

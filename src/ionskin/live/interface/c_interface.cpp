@@ -5,6 +5,7 @@
 #include <cstring>
 #include <exception>
 #include <new>
+#include <span>
 #include <string_view>
 
 static_assert(IONSKIN_LIVE_OUTSIDE_PLACE == ionskin::live::flag::outside_place);
@@ -68,6 +69,10 @@ void ionskin_live_run(ionskin_live_skin* skin, size_t count, const double* times
     flags[i] = ionskin_live_step(skin, times[i], positions[2 * i], positions[2 * i + 1], kind,
                                  values[i], signals + i * skin->skin.names().size());
   }
+}
+
+int ionskin_live_stiffness(ionskin_live_skin* skin, double stiffness[36]) {
+  return skin->skin.stiffness(std::span<double, 36>(stiffness, 36)) ? 1 : 0;
 }
 
 size_t ionskin_live_state_size(const ionskin_live_skin* skin) {

@@ -52,6 +52,14 @@ void ionskin_live_run(ionskin_live_skin* skin, size_t count, const double* times
                       const double* positions, int kind, const double* values, double* signals,
                       uint32_t* flags);
 
+/* Derivative of the last step's wrench on the skin by a rigid motion of the slider, row by row: the
+   forces along x, y and z [N] and the moments about x, y and z [N m], by ways along x, y and z [m]
+   and turns about x, y and z through the slider's centre on the undeformed top face [rad], while
+   the step begins as it did. Takes no memory. 1; or 0, and NaN, before the first step and behind
+   `restore` and `reset`, or where it was not found. Of a skin that is computed as one half, what is
+   not alike on both halves is NaN: ways along y, turns about x and z. */
+int ionskin_live_stiffness(ionskin_live_skin* skin, double stiffness[36]);
+
 size_t ionskin_live_state_size(const ionskin_live_skin* skin); /* numbers */
 void ionskin_live_save(const ionskin_live_skin* skin, double* state);
 /* 1, or 0 when it is not a state of this skin: the size is another, or a number is not finite or

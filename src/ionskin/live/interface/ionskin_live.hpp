@@ -81,6 +81,13 @@ public:
     return step(time, position, IONSKIN_LIVE_FORCE, force.value);
   }
 
+  /// Derivative of the last step's wrench by a rigid motion of the slider, as
+  /// `ionskin_live_stiffness` tells it [6 forces and moments][6 ways and turns].
+  /// @returns whether it is known; if not it is NaN
+  bool stiffness(std::array<double, 36>& values) noexcept {
+    return ionskin_live_stiffness(handle_.get(), values.data()) != 0;
+  }
+
   /// Numbers of a state.
   std::size_t state_size() const noexcept { return ionskin_live_state_size(handle_.get()); }
   /// @param state [state_size()]

@@ -8,6 +8,7 @@
 #include "ionskin/electrochemistry/coupling/driving_channel.hpp"
 #include "ionskin/electrochemistry/grid/derived_scales.hpp"
 #include "ionskin/laws/friction/friction_law.hpp"
+#include "ionskin/live/errors/shortfall.hpp"
 #include "ionskin/live/live_contact.hpp"
 #include "ionskin/live/reduction/channel_reduction.hpp"
 #include "ionskin/live/reduction/place_map.hpp"
@@ -266,6 +267,7 @@ SkinData train_skin(const Case& input, const TrainingOptions& options) {
   data.errors = stated_errors(errors_on_touches(data, input, range, options.validation,
                                                 options.seed + validation_seed_shift,
                                                 run.contact.mesh.footprint(), own));
+  leave_out_no_moments(data);
   return data;
 }
 

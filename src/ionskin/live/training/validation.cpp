@@ -19,6 +19,7 @@ namespace ionskin::live {
 namespace {
 
 constexpr double rate = 1e3; // of the steps [1/s]
+constexpr std::array<const char*, 3> moment_names{"moment_x", "moment_y", "moment_z"};
 
 bool presses_by_force(const Motion& motion) {
   return std::ranges::any_of(motion.waypoints,
@@ -135,6 +136,11 @@ std::vector<TouchErrors> validate(const SkinData& data, const FullRun& run) {
     const auto tangential = at.tangential_force();
     comparison.add("tangential_force", signals[column("tangential_force")],
                    tangential[0] * data.direction[0] + tangential[1] * data.direction[1]);
+    const auto moment = at.moment();
+    for (std::size_t c = 0; c < moment.size(); ++c) {
+      const std::string name = moment_names.at(c);
+      comparison.add(name, signals[column(name)], moment[c]);
+    }
     comparison.add("contact_area", signals[column("contact_area")], at.contact_area());
     if (!by_force || force > 0) {
       comparison.add("slider_z", force > 0 ? signals[column("slider_z")] : at.height, at.height);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ionskin/live/tangential_correction.hpp"
+#include "ionskin/live/corrections/tangential_correction.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -45,9 +45,12 @@ void TangentialCorrection::add(std::size_t cell, double own,
     if (value > follows) {
       const double share = std::min(1.0, value);
       directions_[count_++] = {
-          cell, static_cast<float>(along_x), static_cast<float>(along_y),
+          cell,
+          static_cast<float>(along_x),
+          static_cast<float>(along_y),
           static_cast<float>(own * (1 / share - 1)),
-          static_cast<float>(own * (along_x * defect[0] + along_y * defect[1]) / share)};
+          static_cast<float>(own * (along_x * defect[0] + along_y * defect[1]) / share),
+          static_cast<float>(own / share)};
     }
   }
 }
@@ -85,6 +88,45 @@ void TangentialCorrection::solve() noexcept {
       search_[i] = scaled(i) + next / product * search_[i];
     }
     product = next;
+  }
+}
+
+bool TangentialCorrection::factor() noexcept {
+  for (std::size_t j = 0; j < count_; ++j) {
+    float* own = matrix_.data() + j * count_;
+    if (!(own[j] > 0)) {
+      return false;
+    }
+    const float inverse = 1 / std::sqrt(own[j]);
+    for (std::size_t i = j; i < count_; ++i) {
+      own[i] *= inverse;
+    }
+    for (std::size_t k = j + 1; k < count_; ++k) {
+      float* right = matrix_.data() + k * count_;
+      const float left = own[k];
+      for (std::size_t i = k; i < count_; ++i) {
+        right[i] -= left * own[i];
+      }
+    }
+  }
+  return true;
+}
+
+void TangentialCorrection::substitute() noexcept {
+  for (std::size_t j = 0; j < count_; ++j) {
+    const float* column = matrix_.data() + j * count_;
+    const float value = change_[j] /= column[j];
+    for (std::size_t i = j + 1; i < count_; ++i) {
+      change_[i] -= value * column[i];
+    }
+  }
+  for (std::size_t j = count_; j-- > 0;) {
+    const float* column = matrix_.data() + j * count_;
+    float value = change_[j];
+    for (std::size_t i = j + 1; i < count_; ++i) {
+      value -= column[i] * change_[i];
+    }
+    change_[j] = value / column[j];
   }
 }
 

@@ -41,6 +41,22 @@ public:
   }
   /// Solves; then `change(i)` is what the force of `cell(i)` takes.
   void solve() noexcept;
+  /// Factors the compliance, for many right sides. @returns false when it is none of a contact
+  bool factor() noexcept;
+  /// Solves as `solve` does, by the factors, for other defects of the cells.
+  /// @param defect of the force of a cell along x and y, called with the cell
+  template <class Defect> void solve_factored(const Defect& defect) noexcept {
+    for (std::size_t i = 0; i < count_; ++i) {
+      const Direction& own = directions_[i];
+      const std::array<double, 2> of_cell = defect(own.cell);
+      change_[i] = own.by_defect * static_cast<float>(static_cast<double>(own.x) * of_cell[0] +
+                                                      static_cast<double>(own.y) * of_cell[1]);
+    }
+    substitute();
+  }
+  std::array<double, 2> direction(std::size_t i) const {
+    return {static_cast<double>(directions_[i].x), static_cast<double>(directions_[i].y)};
+  }
   std::size_t count() const { return count_; }
   std::size_t cell(std::size_t i) const { return directions_[i].cell; }
   std::array<double, 2> change(std::size_t i) const;
@@ -51,10 +67,12 @@ private:
     float x = 0, y = 0;
     float stiffening = 0; ///< beside the skin and the slider [m/N]
     float slip = 0;       ///< slip that is to go [m]
+    float by_defect = 0;  ///< derivative of that slip by the defect of the force [m/N]
   };
+  void substitute() noexcept;
   std::vector<Direction> directions_;
   std::size_t count_ = 0;
-  std::vector<float> matrix_; ///< [column][row], symmetric
+  std::vector<float> matrix_; ///< [column][row], symmetric; below the diagonal after `factor`
   std::vector<float> change_, residual_, search_, product_;
 };
 
