@@ -6,7 +6,7 @@ import pathlib
 import sys
 
 from . import figures
-from .analysis import claims, paper
+from .article import claims, paper
 from .charts import numbered
 from .errors import exit_on
 from .page import answer, chart_data, pages, quantities, report_text, sweep_page

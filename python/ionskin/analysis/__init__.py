@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Analysis of the results of a run or a sweep: figures of merit, regimes, sensitivities, and statements about them."""
+"""Analysis of the results of a run or a sweep: figures of merit, onset of slip, sensitivities."""

@@ -3,7 +3,8 @@
 
 import numpy
 
-from ..analysis import regimes, slip
+from ..analysis import slip
+from ..article import regimes
 from ..page.quantities import words
 from ..words import quantity
 from .chart import Axis, Cell, Chart, Curve, Map, Mark, Span, quiet_note

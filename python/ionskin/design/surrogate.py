@@ -5,7 +5,7 @@ import warnings
 
 import numpy
 
-from ..libraries import need
+from ..evaluation.libraries import need
 
 STARTS = 6
 TRUSTED = 1e-6  # how far a constraint may be missed by the interpolants, in its own scale

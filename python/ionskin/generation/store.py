@@ -8,7 +8,7 @@ import numpy
 
 from .. import output_folder
 from ..evaluation import Outcome
-from ..libraries import need
+from ..evaluation.libraries import need
 
 SIGNALS = ("current_top", "current_bottom", "current_difference", "charge_top", "charge_bottom")
 # Voltages and currents of circuits where taxels have their own, then currents and charges of all.

@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 
 import numpy
 
-from ..libraries import need
+from ..evaluation.libraries import need
 
 FOLDS = 5
 NORMS = (0.5, 0.75, 1.0)

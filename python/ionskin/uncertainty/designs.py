@@ -6,7 +6,7 @@ import warnings
 import numpy
 
 from ..errors import CaseError
-from ..libraries import need
+from ..evaluation.libraries import need
 
 DESIGNS = ("sobol", "lhs")
 MOST_KEYS = 50

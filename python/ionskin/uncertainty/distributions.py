@@ -10,7 +10,7 @@ import numpy
 from .. import solver
 from ..case import Case
 from ..errors import CaseError
-from ..libraries import need
+from ..evaluation.libraries import need
 
 CALL = re.compile(r"\s*([A-Za-z_]+)\s*\((.*)\)\s*")
 NUMBER = re.compile(r"\s*([-+]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][-+]?[0-9]+)?)\s*(.*?)\s*")

@@ -19,7 +19,7 @@ import numpy
 from PIL import Image
 
 from ionskin import Results, Study, figures
-from ionskin.analysis import paper
+from ionskin.article import paper
 from ionskin.charts import readout, sketches, spans
 from ionskin.charts.chart import Curve, Map
 from ionskin.figures import charts, draw_all

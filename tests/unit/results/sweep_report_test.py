@@ -19,7 +19,8 @@ import page_faults
 from browser import browser_page, chromium
 from ionskin import Results, Study
 from ionskin import compare
-from ionskin.analysis import claims, regimes, sensitivity
+from ionskin.analysis import sensitivity
+from ionskin.article import claims, regimes
 from ionskin.charts import contact, numbered
 from ionskin.drawing import draw_chart
 from ionskin.page import quantities

@@ -3,7 +3,7 @@
 
 import importlib
 
-from .errors import CaseError
+from ..errors import CaseError
 
 PACKAGES = {"openturns": "python3-openturns", "scipy": "python3-scipy", "h5py": "python3-h5py"}
 

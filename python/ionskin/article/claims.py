@@ -5,9 +5,10 @@ from typing import NamedTuple
 
 import numpy
 
+from ..analysis import derived, sensitivity
 from ..charts.spans import peak_of
 from ..words import quantity
-from . import derived, regimes, sensitivity
+from . import regimes
 
 HOLDS, CONDITION, FAILS, OPEN = "holds", "holds under a condition", "does not hold", "cannot be judged"
 DETACHED = 1e-3  # shear of the return over the peak that still counts as none
