@@ -98,6 +98,7 @@ class LaboratoryData(ProgramTest):
             "epoch": (self.time + EPOCH, noisy, "subtract it: 1403636580.8"),
             "late": (self.time[:-2] + 0.013, noisy[:-2] + 0.02 * self.size, "--free data.time_shift"),
             "in ms": (1e3 * self.time, noisy, "time [ms]"),
+            "in TA": (self.time, 1e-12 * noisy, "check the unit in the header"),
             "in nA": (self.time, 1e3 * noisy, "check the unit in the header"),
         }
         for name, (time, values, words) in records.items():

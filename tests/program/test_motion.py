@@ -208,6 +208,12 @@ class Recording(ProgramTest):
             (good, "--column", "x=a", "--column", "y=b", "--contact-force", "50 N"): "never rises above 50 N",
             (self.table("empty.csv", "t,x,y,z"),): "no row stands below the header",
             (self.table("bare.csv", "0,1,2,3", [1], [2], [3], [4]),): "has no header",
+            (self.table("dates.csv", "time,x,y,z", ["2026-11-29T08:00:00Z", "2026-11-29T08:00:01Z"], [1, 2], [1, 2], [0, 1]),):
+                'time holds "2026-11-29T08:00:00Z" in line 2, no number',
+            (self.table("marks.csv", "time,x,y,z", [0, 1], [1, 2], [1, 2], [0, "\u22121"]),): "in line 3, no number",
+            (self.table("capital.csv", "TIME (S),X (mm),Y (mm),Z (mm)", [0, 1], [1, 2], [1, 2], [0, 1]),):
+                "the unit [S] of time does not convert to s",
+            (self.table("bars.csv", "time|x|y|z", [0, 1], [1, 2], [1, 2], [0, 1], separator="|"),): "tr -s '|' ','",
             ("none.csv",): "cannot be read",
         }
         for arguments, word in words.items():
