@@ -175,6 +175,11 @@ class Recording(ProgramTest):
         told, path = self.path(self.table("holes.csv", header, *holes))
         self.assertIn("2 of 201 rows lack a number", told)
         self.assertEqual(len(path[0]), 199)
+        nothing = 0 * self.time
+        turnless = self.table("turnless.csv", header + ",qx,qy,qz,qw", *columns, nothing, nothing, nothing, nothing)
+        self.assertIn("the quaternion is 0 in every row", self.assert_touch(turnless))
+        self.assertIn("the recording has none",
+                      self.run_program("motion", turnless, "--tool", "0,0,1 mm", "-o", "none.csv", expect=2).stderr)
         on = self.load > 1.9  # begins and ends on the skin
         told, path = self.path(self.table("on.csv", header, *(one[on] for one in columns)), "--contact-force", "0.1 N")
         self.assertIn("begins on the skin", told)
