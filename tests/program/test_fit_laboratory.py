@@ -112,6 +112,9 @@ class LaboratoryData(ProgramTest):
         limit = 0.5 * self.size
         clipped = self.fit(self.data(self.time, numpy.clip(self.current, -limit, limit)))
         self.assert_warns(clipped, "saturated")
+        limit = 0.3 * self.size  # two peaks alone are above it, and leave the others' noise
+        peaks = self.fit(self.data(self.time, numpy.clip(self.current + self.noise, -limit, limit)))
+        self.assert_warns(peaks, "saturated")
         offset = self.fit(self.data(self.time, self.current + self.noise + 0.1 * self.size))
         self.assert_warns(offset, "--free data.baseline")
         small = self.fit(self.data(self.time, (self.current + self.noise) / 50))

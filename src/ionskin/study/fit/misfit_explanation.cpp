@@ -49,12 +49,21 @@ WithoutEnds without_ends(const FitData& data, const std::vector<double>& signal,
   return result;
 }
 
-/// Data that a model fitted to all rows but those at the ends of the range describes ten times as
-/// well, and that it leaves by a tenth of the range there, are clipped.
+/// True of ends where values stand that noise does not repeat: one twice, or one and its negative.
+bool are_limits(const FitData& data, const WithoutEnds& others, Ends ends) {
+  const auto [least, most] = std::ranges::minmax(data.values);
+  const bool twice =
+      (!ends.least || others.least_rows > 1) && (!ends.largest || others.largest_rows > 1);
+  return twice || (ends.least && ends.largest && std::abs(least + most) < 1e-6 * (most - least));
+}
+
+/// Data are clipped that a model fitted to all rows but those at the ends of the range leaves by a
+/// tenth of the range there, if it describes the others ten times as well, or the ends are limits
+/// whose rows hold far more of the misfit than as many others.
 /// @param left the sum of squares that the fit leaves
 std::string clipping(const FitData& data, const std::vector<double>& signal, bool baseline,
                      bool drift, double left) {
-  constexpr double beyond = 0.1, better = 0.1;
+  constexpr double beyond = 0.1, better = 0.1, outlying = 50;
   const auto [least, most] = std::ranges::minmax(data.values);
   for (const Ends ends : {Ends{false, true}, Ends{true, false}, Ends{true, true}}) {
     const WithoutEnds others = without_ends(data, signal, ends);
@@ -65,7 +74,12 @@ std::string clipping(const FitData& data, const std::vector<double>& signal, boo
     const double margin = beyond * (most - least);
     const bool above = fit.gain * others.beyond_largest + fit.baseline > most + margin;
     const bool below = fit.gain * others.beyond_least + fit.baseline < least - margin;
-    if ((!ends.largest || above) && (!ends.least || below) && fit.left < better * left) {
+    const double of_ends =
+        (left - fit.left) / static_cast<double>(others.least_rows + others.largest_rows);
+    const double of_others = fit.left / static_cast<double>(others.signal.size());
+    const bool clear = fit.left < better * left ||
+                       (are_limits(data, others, ends) && of_ends > outlying * of_others);
+    if ((!ends.largest || above) && (!ends.least || below) && clear) {
       const std::string level = ends.largest && ends.least
                                     ? fmt::format("{:.4g} and {:.4g}", least, most)
                                     : fmt::format("{:.4g}", ends.largest ? most : least);
