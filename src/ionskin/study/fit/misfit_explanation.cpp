@@ -8,8 +8,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <initializer_list>
 #include <optional>
+#include <utility>
 
 namespace ionskin::study {
 namespace {
@@ -90,6 +92,36 @@ std::string clipping(const FitData& data, const std::vector<double>& signal, boo
     }
   }
   return "";
+}
+
+/// Few rows that hold nearly all of a misfit: nothing that fits to all rows may be read from them.
+/// @param left     the sum of squares that the fit leaves
+/// @param variance sum of squares of the data about their mean
+std::string outlying_rows(const FitData& data, const std::vector<double>& fitted, double left,
+                          double variance) {
+  constexpr double told = 0.05, most_of_it = 0.8, few = 0.03;
+  if (!(left > told * variance)) {
+    return "";
+  }
+  std::vector<std::pair<double, double>> squares; // with the time
+  for (std::size_t row = 0; row < fitted.size(); ++row) {
+    squares.emplace_back(std::pow(data.values[row] - fitted[row], 2), data.time[row]);
+  }
+  std::ranges::sort(squares, std::greater<>());
+  double held = 0;
+  std::size_t rows = 0;
+  while (rows < squares.size() && held < most_of_it * left) {
+    held += squares[rows++].first;
+  }
+  if (static_cast<double>(rows) > few * static_cast<double>(squares.size())) {
+    return "";
+  }
+  return fmt::format("The fit leaves {:.3g} % of the variance, and {} of {} rows hold {:.3g} % of "
+                     "that, the worst at {:.4g} s: they are outliers, or peaks that the instrument "
+                     "smooths or the model resolves otherwise. Leave their values empty and fit "
+                     "again: the estimates should not change.",
+                     100 * left / variance, rows, squares.size(), 100 * held / left,
+                     squares.front().second);
 }
 
 /// A way to explain a misfit that no key of the case has.
@@ -214,6 +246,10 @@ std::vector<std::string> explain_misfit(const FitModel& model, const FitData& da
         "The fit leaves {:.3g} % of the variance, and {:.3g} % of that is "
         "explained by {}.",
         100 * left / variance, 100 * (1 - found->fit.left / left), words_of(*found, data)));
+  } else if (std::string outliers =
+                 outlying_rows(data, predict(data, end, adjustment), left, variance);
+             !outliers.empty()) {
+    warnings.push_back(std::move(outliers));
   }
   return warnings;
 }
