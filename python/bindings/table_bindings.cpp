@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "case_source.hpp"
 
+#include "ionskin/base/text.hpp"
 #include "ionskin/case/text/number_table.hpp"
 #include "ionskin/units/unit_system.hpp"
 
@@ -12,8 +13,8 @@ namespace {
 
 namespace py = pybind11;
 
-/// One tuple per column: its name, its unit or None, its first value, and the array of distances
-/// from it or None where it holds no numbers.
+/// One tuple per column: its name, its unit or None, its first value, the array of distances from
+/// it or None where it holds no numbers, and the first cell of text with its line.
 py::list number_table(const std::string& path, const std::string& kind) {
   py::list result;
   for (const NumberColumn& column : read_number_table(path, kind)) {
@@ -22,7 +23,8 @@ py::list number_table(const std::string& path, const std::string& kind) {
             ? py::object(py::array_t<double>(static_cast<py::ssize_t>(column.since_first.size()),
                                              column.since_first.data()))
             : py::object(py::none());
-    result.append(py::make_tuple(column.title.name, column.title.unit, column.first, values));
+    result.append(py::make_tuple(column.title.name, column.title.unit, column.first, values,
+                                 base::shown(column.text), column.text_line));
   }
   return result;
 }

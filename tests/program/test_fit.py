@@ -62,7 +62,7 @@ class Fit(ProgramTest):
     def test_mistakes_end_before_any_work(self):
         good = self.write("good.csv", "time [s],current_difference [A]\n1,0\n2,0\n3,0\n")
         for arguments, words in ((("--data", "none.csv", "--free", "coupling.coefficient"), "cannot be read"),
-                                 (("--data", QUICK, "--free", "coupling.coefficient"), "no column time"),
+                                 (("--data", QUICK, "--free", "coupling.coefficient"), "neither a comma"),
                                  (("--data", good, "--free", "coupling.coeficient"), "did you mean coupling.coefficient"),
                                  (("--data", good, "--free", "coupling.coefficient", "--column", "x"), "known:"),
                                  (("--data", good, "--free", "coupling.coefficient", "--set", "contact.friction=9"), "at most 2")):

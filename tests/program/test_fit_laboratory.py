@@ -98,6 +98,7 @@ class LaboratoryData(ProgramTest):
             "epoch": (self.time + EPOCH, noisy, "subtract it: 1403636580.8"),
             "late": (self.time[:-2] + 0.013, noisy[:-2] + 0.02 * self.size, "--free data.time_shift"),
             "in ms": (1e3 * self.time, noisy, "time [ms]"),
+            "in TA": (self.time, 1e-12 * noisy, "check the unit in the header"),
             "in nA": (self.time, 1e3 * noisy, "check the unit in the header"),
         }
         for name, (time, values, words) in records.items():
@@ -111,6 +112,11 @@ class LaboratoryData(ProgramTest):
         limit = 0.5 * self.size
         clipped = self.fit(self.data(self.time, numpy.clip(self.current, -limit, limit)))
         self.assert_warns(clipped, "saturated")
+        limit = 0.3 * self.size  # two peaks alone are above it, and leave the others' noise
+        peaks = self.fit(self.data(self.time, numpy.clip(self.current + self.noise, -limit, limit)))
+        self.assert_warns(peaks, "saturated")
+        smooth = self.fit(self.data(self.time, numpy.convolve(self.current, (0.25, 0.5, 0.25), "same") + self.noise))
+        self.assert_warns(smooth, "rows hold")
         offset = self.fit(self.data(self.time, self.current + self.noise + 0.1 * self.size))
         self.assert_warns(offset, "--free data.baseline")
         small = self.fit(self.data(self.time, (self.current + self.noise) / 50))

@@ -175,6 +175,11 @@ class Recording(ProgramTest):
         told, path = self.path(self.table("holes.csv", header, *holes))
         self.assertIn("2 of 201 rows lack a number", told)
         self.assertEqual(len(path[0]), 199)
+        nothing = 0 * self.time
+        turnless = self.table("turnless.csv", header + ",qx,qy,qz,qw", *columns, nothing, nothing, nothing, nothing)
+        self.assertIn("the quaternion is 0 in every row", self.assert_touch(turnless))
+        self.assertIn("the recording has none",
+                      self.run_program("motion", turnless, "--tool", "0,0,1 mm", "-o", "none.csv", expect=2).stderr)
         on = self.load > 1.9  # begins and ends on the skin
         told, path = self.path(self.table("on.csv", header, *(one[on] for one in columns)), "--contact-force", "0.1 N")
         self.assertIn("begins on the skin", told)
@@ -208,6 +213,12 @@ class Recording(ProgramTest):
             (good, "--column", "x=a", "--column", "y=b", "--contact-force", "50 N"): "never rises above 50 N",
             (self.table("empty.csv", "t,x,y,z"),): "no row stands below the header",
             (self.table("bare.csv", "0,1,2,3", [1], [2], [3], [4]),): "has no header",
+            (self.table("dates.csv", "time,x,y,z", ["2026-11-29T08:00:00Z", "2026-11-29T08:00:01Z"], [1, 2], [1, 2], [0, 1]),):
+                'time holds "2026-11-29T08:00:00Z" in line 2, no number',
+            (self.table("marks.csv", "time,x,y,z", [0, 1], [1, 2], [1, 2], [0, "\u22121"]),): "in line 3, no number",
+            (self.table("capital.csv", "TIME (S),X (mm),Y (mm),Z (mm)", [0, 1], [1, 2], [1, 2], [0, 1]),):
+                "the unit [S] of time does not convert to s",
+            (self.table("bars.csv", "time|x|y|z", [0, 1], [1, 2], [1, 2], [0, 1], separator="|"),): "tr -s '|' ','",
             ("none.csv",): "cannot be read",
         }
         for arguments, word in words.items():

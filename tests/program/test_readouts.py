@@ -238,6 +238,15 @@ class Readouts(ProgramTest):
         passed = -numpy.cumsum(numpy.diff(load["time"]) * middle) / 20
         self.assertLess(numpy.abs(passed - load["charge"][1:]).max(), 0.02 * numpy.abs(load["charge"]).max())
 
+    def test_what_rounding_makes_is_not_told(self):
+        edits = ("strain.source=file", f'strain.file="{self.strain}"', "readout.circuit=load",
+                 "readout.load_resistance=1e12 Ohm", "numerics.mesh_refinement=0.5")
+        told = self.run_program("run", QUICK, *ROLLERS, *(word for edit in edits for word in ("--set", edit)), "-o", "huge",
+                                "--no-report").stdout
+        self.assertIn("a voltmeter reads", told)
+        self.assertNotIn("through what joins them", told)
+        self.assertNotIn("difference current", told)
+
     def test_resistor_and_capacitor_share_the_current(self):
         _, out = self.read_out("parallel", "readout.circuit=parallel-rc", "readout.load_resistance=20 Ohm",
                                "readout.load_capacitance=10 mF")

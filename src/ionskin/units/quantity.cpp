@@ -47,6 +47,11 @@ NumberAndUnit split(std::string_view text, Dimension expected) {
                                 base::shown(text), expectation(expected),
                                 dimension_info(expected).examples.front()));
   result.unit = base::trimmed(std::string_view(rest, static_cast<std::size_t>(end - rest)));
+  if (result.unit.size() > 1 && result.unit[0] == ',' && result.unit[1] >= '0' &&
+      result.unit[1] <= '9')
+    throw UserError(fmt::format("\"{}\" has a comma in its number: write a decimal point, and "
+                                "thousands without marks between them",
+                                base::shown(text)));
   return result;
 }
 

@@ -115,10 +115,10 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{
             "SliderOffTheSkinAtTheEnd", "stroke = \"6 mm\"", "stroke = \"10 mm\"",
             "not inside the skin at the end of the slide: it reaches from 13 mm to 16 mm along x",
-            "32:10", "^^^^^^^ travel", "between 1.5 mm and 3.5 mm along x"},
+            "32:10", "^^^^^^^ travel", "above 1.5 mm and below 3.5 mm along x"},
         Mistake{"SliderOffTheSkinAtTheStart", "start = [\"4.5 mm\", \"1 mm\"]",
                 "start = [\"4.5 mm\", \"0.5 mm\"]", "not inside the skin at the start of the slide",
-                "27:9", "centre at the start", "between 0.75 mm and 1.25 mm along y"},
+                "27:9", "centre at the start", "above 0.75 mm and below 1.25 mm along y"},
         Mistake{"SliderLargerThanTheSkin", "size = [\"3 mm\", \"1.5 mm\"]",
                 "size = [\"10 mm\", \"1.5 mm\"]", "not inside the skin", "4:10", "^^^^^^^ the skin",
                 "need more than 16 mm of the 15 mm"},

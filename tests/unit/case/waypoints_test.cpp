@@ -173,6 +173,10 @@ TEST(Waypoints, MistakesInAFileAreSaidWithTheirLine) {
   EXPECT_THAT(error_of_file("time [s], x [mm], y [mm], hight [um]\n"),
               HasSubstr("did you mean \"height\"?; ionskin motion FILE"));
   EXPECT_THAT(error_of_file(header + "0, 4, 1\n"), HasSubstr("path.csv:2"));
+  for (const char* recording : {"time [s], x [mm], y [mm], force [N]\n0, 4, 1, 0\n1, 4, 1, 2\n",
+                                "time [s], x [mm], y [mm], height [mm]\n1403636580.8, 4, 1, 1\n"
+                                "1403636581.8, 4, 1, 1\n"})
+    EXPECT_THAT(error_of_file(recording), HasSubstr("ionskin motion FILE -o path.csv"));
   EXPECT_THAT(error_of_file(header + "0, 4, 1, 5\n1, four, 1, 5\n"), HasSubstr("path.csv:3"));
   EXPECT_THAT(error_of_file(header + "0, 4, 1, 5\n1, 4, 1, 5\n1, 4, 1, 6\n"),
               AllOf(HasSubstr("path.csv:4"), HasSubstr("average them")));

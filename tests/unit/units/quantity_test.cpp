@@ -100,6 +100,8 @@ INSTANTIATE_TEST_SUITE_P(
         Bad{"inf mm", Dimension::length, {"does not begin with a number"}},
         Bad{"1e999 mm", Dimension::length, {"too large"}},
         Bad{"1e308 Mm", Dimension::length, {"too large"}},
+        Bad{"1,5 mm", Dimension::length, {"\"1,5 mm\" has a comma", "write a decimal point"}},
+        Bad{"4,500.0 um", Dimension::length, {"has a comma", "without marks"}},
         Bad{"10 3 mm", Dimension::length, {"unknown unit \"3 mm\""}},
         Bad{"10 mm 3", Dimension::length, {"unknown unit \"mm 3\""}},
         Bad{"10 mm*3", Dimension::length, {"unknown unit"}},

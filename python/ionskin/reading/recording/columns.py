@@ -27,18 +27,20 @@ NAMES = {
     **{f"f{axis}": (rf"f_?{axis}", rf"(?:.*[./])?(?:force)[./_]{axis}", rf"(?:actual_)?tcp_force_{i}",
                     rf"o_f_ext_hat_k\[{i}\]", rf"f{axis}_n") for i, axis in enumerate(AXES)},
 }
+NEEDED = {"time", "x", "y"}
 LENGTHS, FORCES = {"x", "y", "z", "height"}, {"force", "fx", "fy", "fz"}
 SUFFIXES = re.compile(r".*_(ns|us|ms|s|mm|um|m|n)")
 STAMPS = ((1e17, "ns"), (1e14, "us"), (1e11, "ms"))  # an epoch above the first is in the second
 
 
 class Column:
-    """One column: values [rows] as distances from `first`, in `unit` or None."""
+    """One column: values [rows] as distances from `first`, in `unit` or None; values is None where `text` stands in `line`."""
 
-    def __init__(self, name, unit, first, values):
+    def __init__(self, name, unit, first, values, text="", line=0):
         if unit is not None and unit.isdigit():  # O_T_EE[12] is an entry, no unit
             name, unit = f"{name}[{unit}]", None
         self.name, self.unit, self.first, self.values = name, unit, first, values
+        self.text, self.line = text, line
 
     def si(self, target, default):
         """Values in the SI unit `target`, as distances from the first, and the first. Raises CaseError."""
@@ -60,7 +62,7 @@ def assign(columns, wanted) -> dict[str, Column]:
 
     wanted  "ROLE=NAME" or "ROLE=NAME [unit]"; they come before the names that are known
 
-    Raises CaseError for a role or a name that is unknown, and for a column of text.
+    Raises CaseError for a role or a name that is unknown, and for a column of text or of another unit.
     """
     found = {}
     for text in wanted:
@@ -74,7 +76,7 @@ def assign(columns, wanted) -> dict[str, Column]:
                             + ", ".join(one.name for one in columns if one.name))
         column = named[0]
         if column.values is None:
-            raise CaseError(f"--column {text}: {column.name} holds no numbers\n  = name another column")
+            raise CaseError(f"--column {text}: {_no_numbers(column)}\n  = name another column")
         found[role] = Column(column.name, match[2] or column.unit, column.first, column.values)
     numbers = [one for one in columns if one.values is not None]
     for role, patterns in NAMES.items():
@@ -85,15 +87,39 @@ def assign(columns, wanted) -> dict[str, Column]:
             if fitting:
                 found[role] = fitting[0]
                 break
+        else:
+            _require_none(columns, role)
     return found
+
+
+def _require_none(columns, role):
+    """Refuses columns whose name tells the role, but whose cells or unit cannot be it. Raises CaseError."""
+    for one in columns:
+        if not any(re.fullmatch(pattern, one.name) for pattern in NAMES[role]):
+            continue
+        if one.line:
+            raise CaseError(f"{_no_numbers(one)}\n  = write numbers (times in seconds, no dates), empty cells where nothing was "
+                            f"measured, or name another column: --column \"{role}=NAME [unit]\"")
+        if one.values is not None and role in NEEDED:
+            raise CaseError(f"the unit [{one.unit}] of {one.name} does not convert to {_unit_of(role)}\n"
+                            f"  = name the column and its unit: --column \"{role}={one.name} [{_unit_of(role)}]\"")
+
+
+def _no_numbers(column):
+    return f"{column.name} holds \"{column.text}\" in line {column.line}, no number" if column.line else (
+        f"{column.name} holds no numbers")
 
 
 def _may_be(role, column):
     """Tx [N m] is a torque, tx [m] a place."""
     if column.unit is None:
         return True
-    target = "m" if role in LENGTHS else "N" if role in FORCES else "s" if role in ("time", "seconds", "nanoseconds") else "1"
+    target = _unit_of(role)
     return solver.load().convert_unit(1.0, column.unit, target) is not None or (target == "1" and column.unit == "")
+
+
+def _unit_of(role):
+    return "m" if role in LENGTHS else "N" if role in FORCES else "s" if role in ("time", "seconds", "nanoseconds") else "1"
 
 
 def unit_by_name(column):

@@ -32,8 +32,11 @@ def _recording(path, wanted, notes):
         notes.append("not used: " + ", ".join(passed[:8]) + (f" and {len(passed) - 8} more" if len(passed) > 8 else ""))
     if "turn" in values:
         lengths = numpy.linalg.norm(values["turn"], axis=1)
-        values["turn"] = numpy.where(lengths[:, None] > 0, values["turn"], numpy.nan)
-        values["turn"] = _continuous(values["turn"])
+        if (lengths == 0).all():  # a tracker of places alone
+            notes.append("the quaternion is 0 in every row, and left out")
+            del values["turn"]
+        else:
+            values["turn"] = _continuous(numpy.where(lengths[:, None] > 0, values["turn"], numpy.nan))
     return Channels.cleaned(time, values, notes), first + float(numpy.nanmin(time))
 
 

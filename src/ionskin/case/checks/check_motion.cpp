@@ -68,14 +68,22 @@ private:
     sound_ = false;
   }
 
+  /// Adds a problem whose remedy names, for a waypoint of a file, what makes a path of a recording.
+  void add_of_recording(std::size_t i, const std::string& message, const std::string& remedy) {
+    add(message, point_at_waypoint(document_, i),
+        motion_.file.empty() ? remedy
+                             : remedy + "; is the file a recording? ionskin motion FILE -o "
+                                        "path.csv makes a path of it");
+  }
+
   /// Waypoints of a case are checked as they are read, those of a file here.
   void check_range(std::size_t i, const std::string& name, double value) {
     const SchemaRow& row = *find_row("motion.waypoints[]." + name);
     if (!row.range.contains(value))
-      add(fmt::format("waypoint {}: {} = {} is out of range", i + 1, name,
-                      units::format_si(value, row.dimension)),
-          point_at_waypoint(document_, i),
-          fmt::format("it must be {}", describe(row.range, row.dimension)));
+      add_of_recording(i,
+                       fmt::format("waypoint {}: {} = {} is out of range", i + 1, name,
+                                   units::format_si(value, row.dimension)),
+                       fmt::format("it must be {}", describe(row.range, row.dimension)));
   }
 
   void check_one(std::size_t i) {
@@ -96,17 +104,19 @@ private:
                       tilt * degrees),
           point_at_waypoint(document_, i), remedy_of_tilt());
     if (waypoint.height.has_value() == waypoint.force.has_value())
-      add(fmt::format("waypoint {} has {}", i + 1,
+      add_of_recording(
+          i,
+          fmt::format("waypoint {} has {}", i + 1,
                       waypoint.force ? "both a height and a force" : "neither height nor force"),
-          point_at_waypoint(document_, i), "give it one of the two");
+          "give it one of the two");
     constexpr double least_force = 1e-9; // N
     if (waypoint.force && *waypoint.force > 0 && *waypoint.force < least_force)
       add(fmt::format("waypoint {}: force = {:.6g} N is out of range", i + 1, *waypoint.force),
           point_at_waypoint(document_, i), "it must be at least 1e-09 N");
     const bool adheres = laws::friction_law(document_.input.contact.law).adheres;
     if (waypoint.force && *waypoint.force <= 0 && !adheres)
-      add(fmt::format("waypoint {} has a force of {:.6g} N", i + 1, *waypoint.force),
-          point_at_waypoint(document_, i),
+      add_of_recording(
+          i, fmt::format("waypoint {} has a force of {:.6g} N", i + 1, *waypoint.force),
           "a force must be above 0 N; a detached slider has a height, and one that pulls needs "
           "contact.law = \"adhesive\"");
     const double thickness = document_.input.skin.thickness();

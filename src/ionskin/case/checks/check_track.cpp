@@ -44,7 +44,7 @@ std::string remedy(const Axis& axis, double half_size, double travel) {
         "them smaller or the skin larger",
         (2 * half_size + std::abs(travel)) * 1e3, axis.extent * 1e3, axis.name);
   return fmt::format(
-      "with this size and stroke the start must lie between {:.6g} mm and {:.6g} mm along {}",
+      "with this size and stroke the start must lie above {:.6g} mm and below {:.6g} mm along {}",
       lowest * 1e3, highest * 1e3, axis.name);
 }
 
@@ -87,8 +87,9 @@ void check_waypoints(const CaseDocument& document, const Axis& axis, Problems& p
                     i + 1, (centre - half_size) * 1e3, (centre + half_size) * 1e3, axis.name,
                     axis.extent * 1e3),
         point_at_waypoint(document, i),
-        fmt::format("with this size its centre must lie between {:.6g} mm and {:.6g} mm along {}",
-                    half_size * 1e3, (axis.extent - half_size) * 1e3, axis.name));
+        fmt::format(
+            "with this size its centre must lie above {:.6g} mm and below {:.6g} mm along {}",
+            half_size * 1e3, (axis.extent - half_size) * 1e3, axis.name));
     return;
   }
 }

@@ -140,6 +140,11 @@ void CsvFile::find_separator() {
     line_ = next_line_;
     return;
   }
+  if (line.find_first_of(",;\t") == line.npos && line.find_first_of("| ") != line.npos) {
+    const char* const other = line.find('|') == line.npos ? " " : "|";
+    refuse("the first row has neither a comma nor a semicolon nor a tab between columns",
+           fmt::format("put one there, such as by: tr -s '{}' ',' < FILE > NEW", other));
+  }
   separator_ = ',';
   for (const char other : {'\t', ';'})
     if (line.find(other) != line.npos && commas_are_decimal(line))

@@ -20,8 +20,8 @@ public:
   CsvFile(const std::string& path, const std::string& kind);
 
   /// The cells of the next row, without the blanks around them; nothing at the end of the file.
-  /// Throws UserError with the line for quotes that do not close, and for numbers whose commas may
-  /// as well group thousands.
+  /// Throws UserError with the line for quotes that do not close, for numbers whose commas may as
+  /// well group thousands, and for a first row of columns that something else separates.
   std::optional<std::vector<std::string>> next();
   /// The cells of the last row that begins with # and was passed over, by the separators of the
   /// others: some programs begin their header so. Empty where there is none.

@@ -36,9 +36,13 @@ public:
     column_.numbers = !column_.title.name.empty();
   }
 
-  void add(const std::string& cell) {
+  void add(const std::string& cell, std::size_t line) {
     const std::optional<long double> value = column_.numbers ? number(cell) : std::nullopt;
     if (!value) {
+      if (column_.text_line == 0) {
+        column_.text = cell;
+        column_.text_line = line;
+      }
       column_.numbers = false;
       column_.since_first.clear();
       return;
@@ -85,7 +89,7 @@ std::vector<NumberColumn> read_number_table(const std::string& path, const std::
       file.refuse(fmt::format("{} entries under {} columns", row->size(), columns.size()),
                   "give every line one entry a column; an empty one is nothing between separators");
     for (std::size_t i = 0; i < columns.size(); ++i)
-      columns[i].add((*row)[i]);
+      columns[i].add((*row)[i], file.line());
   }
   if (rows == 0)
     file.refuse("no row stands below the header", "give one row an instant");

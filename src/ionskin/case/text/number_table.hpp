@@ -15,6 +15,8 @@ struct NumberColumn {
   bool numbers = true;             ///< false where a cell is neither a number nor empty
   double first = 0;                ///< the first value that is there
   std::vector<double> since_first; ///< one entry per row; not a number where the cell is empty
+  std::string text;                ///< the first cell that is neither a number nor empty
+  std::size_t text_line = 0;       ///< where it stands, from 1; 0 without one
 };
 
 /// Reads a table of any columns, as robots record it: what `CsvFile` reads, with a header that may

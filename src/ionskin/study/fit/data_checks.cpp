@@ -19,6 +19,7 @@ constexpr double hopeless = 0.3;     // below it amplitudes go to 0
 constexpr double sure = 0.8;         // of the correlation of a shifted signal
 constexpr double other_size = 5;     // of the data, in the start's
 constexpr double too_large = 30;     // likewise: no search gets there in reasonable time
+constexpr double too_small = 1e-6;   // likewise
 constexpr double level_share = 1e-9; // of the largest value: values that differ by less are one
 
 /// Keys that move the signal in time.
@@ -121,7 +122,7 @@ std::vector<std::string> compare_with_start(const FitModel& model, const FitData
       const std::string remedy =
           "check the unit in the header and the gain of the amplifier, start "
           "from values that give such a size, or free data.gain";
-      if (size > too_large * start_size) {
+      if (size > too_large * start_size || size < too_small * start_size) {
         throw UserError(text + "\n  = " + remedy);
       }
       warnings.push_back("At the start " + text + ": " + remedy + ".");

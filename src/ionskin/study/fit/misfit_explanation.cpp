@@ -8,8 +8,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <initializer_list>
 #include <optional>
+#include <utility>
 
 namespace ionskin::study {
 namespace {
@@ -49,12 +51,21 @@ WithoutEnds without_ends(const FitData& data, const std::vector<double>& signal,
   return result;
 }
 
-/// Data that a model fitted to all rows but those at the ends of the range describes ten times as
-/// well, and that it leaves by a tenth of the range there, are clipped.
+/// True of ends where values stand that noise does not repeat: one twice, or one and its negative.
+bool are_limits(const FitData& data, const WithoutEnds& others, Ends ends) {
+  const auto [least, most] = std::ranges::minmax(data.values);
+  const bool twice =
+      (!ends.least || others.least_rows > 1) && (!ends.largest || others.largest_rows > 1);
+  return twice || (ends.least && ends.largest && std::abs(least + most) < 1e-6 * (most - least));
+}
+
+/// Data are clipped that a model fitted to all rows but those at the ends of the range leaves by a
+/// tenth of the range there, if it describes the others ten times as well, or the ends are limits
+/// whose rows hold far more of the misfit than as many others.
 /// @param left the sum of squares that the fit leaves
 std::string clipping(const FitData& data, const std::vector<double>& signal, bool baseline,
                      bool drift, double left) {
-  constexpr double beyond = 0.1, better = 0.1;
+  constexpr double beyond = 0.1, better = 0.1, outlying = 50;
   const auto [least, most] = std::ranges::minmax(data.values);
   for (const Ends ends : {Ends{false, true}, Ends{true, false}, Ends{true, true}}) {
     const WithoutEnds others = without_ends(data, signal, ends);
@@ -65,7 +76,12 @@ std::string clipping(const FitData& data, const std::vector<double>& signal, boo
     const double margin = beyond * (most - least);
     const bool above = fit.gain * others.beyond_largest + fit.baseline > most + margin;
     const bool below = fit.gain * others.beyond_least + fit.baseline < least - margin;
-    if ((!ends.largest || above) && (!ends.least || below) && fit.left < better * left) {
+    const double of_ends =
+        (left - fit.left) / static_cast<double>(others.least_rows + others.largest_rows);
+    const double of_others = fit.left / static_cast<double>(others.signal.size());
+    const bool clear = fit.left < better * left ||
+                       (are_limits(data, others, ends) && of_ends > outlying * of_others);
+    if ((!ends.largest || above) && (!ends.least || below) && clear) {
       const std::string level = ends.largest && ends.least
                                     ? fmt::format("{:.4g} and {:.4g}", least, most)
                                     : fmt::format("{:.4g}", ends.largest ? most : least);
@@ -76,6 +92,36 @@ std::string clipping(const FitData& data, const std::vector<double>& signal, boo
     }
   }
   return "";
+}
+
+/// Few rows that hold nearly all of a misfit: nothing that fits to all rows may be read from them.
+/// @param left     the sum of squares that the fit leaves
+/// @param variance sum of squares of the data about their mean
+std::string outlying_rows(const FitData& data, const std::vector<double>& fitted, double left,
+                          double variance) {
+  constexpr double told = 0.05, most_of_it = 0.8, few = 0.03;
+  if (!(left > told * variance)) {
+    return "";
+  }
+  std::vector<std::pair<double, double>> squares; // with the time
+  for (std::size_t row = 0; row < fitted.size(); ++row) {
+    squares.emplace_back(std::pow(data.values[row] - fitted[row], 2), data.time[row]);
+  }
+  std::ranges::sort(squares, std::greater<>());
+  double held = 0;
+  std::size_t rows = 0;
+  while (rows < squares.size() && held < most_of_it * left) {
+    held += squares[rows++].first;
+  }
+  if (static_cast<double>(rows) > few * static_cast<double>(squares.size())) {
+    return "";
+  }
+  return fmt::format("The fit leaves {:.3g} % of the variance, and {} of {} rows hold {:.3g} % of "
+                     "that, the worst at {:.4g} s: they are outliers, or peaks that the instrument "
+                     "smooths or the model resolves otherwise. Leave their values empty and fit "
+                     "again: the estimates should not change.",
+                     100 * left / variance, rows, squares.size(), 100 * held / left,
+                     squares.front().second);
 }
 
 /// A way to explain a misfit that no key of the case has.
@@ -200,6 +246,10 @@ std::vector<std::string> explain_misfit(const FitModel& model, const FitData& da
         "The fit leaves {:.3g} % of the variance, and {:.3g} % of that is "
         "explained by {}.",
         100 * left / variance, 100 * (1 - found->fit.left / left), words_of(*found, data)));
+  } else if (std::string outliers =
+                 outlying_rows(data, predict(data, end, adjustment), left, variance);
+             !outliers.empty()) {
+    warnings.push_back(std::move(outliers));
   }
   return warnings;
 }

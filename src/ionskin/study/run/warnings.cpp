@@ -42,6 +42,11 @@ void warn_about_common_current(const Case& input, const readout::SignalTable& si
         "between a {} reads current_circuit_NAME only. Compare that one with a measurement, or "
         "take a neutral law (coupling.law = \"column-neutral\").",
         input.readout.is_crossbar() ? "line and the ground" : "taxel and the bottom electrode"));
+  } else if (!circuits::circuit_row(input.readout.circuit).holds_potential) {
+    warnings.emplace_back(
+        "The common part of the electrode currents dominates in current_top and current_bottom: a "
+        "voltmeter between the electrodes reads voltage only. Compare that one with a measurement, "
+        "or take a neutral law (coupling.law = \"column-neutral\").");
   } else {
     warnings.push_back(fmt::format(
         "The common part of the electrode currents dominates, {:.3g} times the difference: an "

@@ -25,6 +25,13 @@ namespace ionskin::study {
 
 namespace {
 
+/// True of a cell that MATLAB or numpy leaves where nothing was measured.
+bool is_nan(std::string_view cell) {
+  double value = 0;
+  const auto [end, status] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
+  return status == std::errc() && end == cell.data() + cell.size() && std::isnan(value);
+}
+
 /// Parts of the charges of the two electrodes that a column is made of.
 struct Weights {
   double top = 0, bottom = 0;
@@ -234,7 +241,7 @@ private:
 
   void take_row(const std::vector<std::string>& row, std::size_t time, std::size_t value,
                 FitData& data) {
-    if (row[value].empty()) {
+    if (row[value].empty() || is_nan(row[value])) {
       return;
     }
     const double instant = number(row[time], titles_[time], "s");

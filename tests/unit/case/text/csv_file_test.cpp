@@ -141,6 +141,29 @@ TEST_F(CsvFileTest, Utf16IsRefusedWithTheWayOut) {
     EXPECT_THAT(refusal([&] { rows(text); }), HasSubstr("iconv -f UTF-16"));
 }
 
+TEST_F(CsvFileTest, OtherSeparatorsAreRefusedWithTheWayOut) {
+  for (const auto& [text, remedy] : {std::pair{"time [s]|x [mm]\n0|1\n", "tr -s '|' ','"},
+                                     std::pair{"time x\n0 1\n", "tr -s ' ' ','"}}) {
+    try {
+      rows(text);
+      ADD_FAILURE() << "accepted: " << text;
+    } catch (const UserError& error) {
+      EXPECT_THAT(error.what(), HasSubstr("neither a comma nor a semicolon nor a tab"));
+      EXPECT_THAT(error.what(), HasSubstr(remedy));
+    }
+  }
+}
+
+TEST_F(CsvFileTest, RecordingsTellTheFirstCellOfText) {
+  write("time,x\n0,1\n,nan\n2,\n3,left\n4,right\n");
+  const std::vector<NumberColumn> columns = read_number_table(path, "recording");
+  EXPECT_TRUE(columns[0].numbers);
+  EXPECT_EQ(columns[0].text_line, 0U);
+  EXPECT_FALSE(columns[1].numbers);
+  EXPECT_EQ(columns[1].text, "left");
+  EXPECT_EQ(columns[1].text_line, 5U);
+}
+
 TEST_F(CsvFileTest, TablesLeaveOutNamelessColumnsThatTellNothing) {
   const Rows expected{{"0.1", "2"}, {"0.2", "3"}};
   for (const char* text :

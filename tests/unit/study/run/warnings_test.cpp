@@ -74,6 +74,15 @@ TEST_F(WarningsTest, NamesTheTaxelWhoseEdgeCutsAColumn) {
                         "the taxel right lies inside a column of the transport grid, 25 %"));
 }
 
+TEST_F(WarningsTest, NamesTheVoltageWhereNothingHoldsThePotential) {
+  for (const char* circuit : {"open", "load"}) {
+    input.readout.circuit = circuit;
+    const auto warnings = collect_warnings(input, mechanics, ions, signals);
+    EXPECT_TRUE(any_holds(warnings, "reads voltage only")) << circuit;
+    EXPECT_FALSE(any_holds(warnings, "times the difference")) << circuit;
+  }
+}
+
 TEST_F(WarningsTest, OrdersByWhatTheyChange) {
   signals.columns[1].values[1] = 0.05;
   input.notes = {"a note"};

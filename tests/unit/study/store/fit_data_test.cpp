@@ -70,7 +70,8 @@ TEST_F(FitDataFile, AsProgramsLeaveThem) {
         "\xEF\xBB\xBFTime [s];current_top [A]\r1,0;2\r3,0;4\r",
         ",time [s],current_top [A]\n0,1,2\n1,3,4\n", "time [s],current_top [A],\n+1,2,\n3,4,\n",
         "\"time [s]\",\"current_top [A]\"\n\"1\",\"2\"\n\"3\",\"4\"\n",
-        "Time (s)\tcurrent_top (A)\n1\t2\n3\t4\n"}) {
+        "Time (s)\tcurrent_top (A)\n1\t2\n3\t4\n",
+        "time [s],current_top [A]\n1,2\n2,NaN\n3,4\n5,nan\n"}) {
     const FitData data = read_fit_data(write(text), known_);
     EXPECT_EQ(data.time, (std::vector<double>{1, 3})) << text;
     EXPECT_EQ(data.values, (std::vector<double>{2, 4})) << text;
