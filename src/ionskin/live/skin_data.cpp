@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <fstream>
 
 namespace ionskin::live {
@@ -19,6 +20,7 @@ namespace {
 static_assert(std::endian::native == std::endian::little, "the file is little-endian");
 
 constexpr std::string_view magic = "ionskin live skin, format 7\n";
+constexpr double most_tilt = 0.1; // beyond 5 degrees [rad]
 constexpr std::size_t most_waves = 1000, most_columns = 5000;
 constexpr std::size_t largest_file = 256u << 20u;
 
@@ -184,10 +186,14 @@ void check(const Reader& reader, const SkinData& data) {
                  "spread.rates");
   reader.require(data.taxel_corners.size() == 4 * data.taxels.size() && data.taxels.size() <= 1000,
                  "taxel_corners");
-  reader.require(data.steepest >= 0 && data.fastest_turn >= 0 &&
+  reader.require(data.steepest >= 0 && data.steepest < most_tilt && data.fastest_turn >= 0 &&
                      (data.fastest_turn == 0 || data.turns_into_itself == 1),
                  "steepest");
-  reader.require(data.steepest == 0 ? data.slopes.empty() : is_table_of_slopes(data.slopes),
+  reader.require(data.steepest == 0
+                     ? data.slopes.empty()
+                     : is_table_of_slopes(data.slopes) &&
+                           data.slopes.back() >= (1 - 1e-9) * std::tan(data.steepest) &&
+                           data.slopes.front() <= -(1 - 1e-9) * std::tan(data.steepest),
                  "slopes");
   reader.require(data.lowest.size() == data.slopes.size() * data.slopes.size(), "lowest");
   reader.require(std::ranges::is_partitioned(

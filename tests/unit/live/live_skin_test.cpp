@@ -292,6 +292,9 @@ TEST_F(LiveSkin, RefusesAFileWhoseSizesDoNotFit) {
   refused([](SkinData& wrong) { wrong.friction_law = "unheard-of"; });
   refused([](SkinData& wrong) { wrong.highest_friction = 0.2; }); // the case has more
   refused([](SkinData& wrong) { wrong.cell_lines_x.pop_back(); });
+  refused([](SkinData& wrong) { wrong.steepest = 0.01; }); // without a table
+  refused([](SkinData& wrong) { wrong.lowest = {0}; });
+  refused([](SkinData& wrong) { wrong.fastest_turn = 1; }); // a block
   std::filesystem::remove(path);
 }
 

@@ -11,6 +11,7 @@
 
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <limits>
 #include <memory>
 #include <vector>
@@ -180,6 +181,18 @@ TEST_F(LivePose, IsFlaggedBeyondWhatWasTrained) {
   const double force = signals[3];
   EXPECT_EQ(step(upright, 0, {place, {0, 0, 0}, 5e-6}), 0u);
   EXPECT_NEAR(signals[3], force, 1e-5 * force);
+}
+
+TEST_F(LivePose, ComesBackFromItsFile) {
+  const auto path = std::filesystem::temp_directory_path() / "ionskin_live_pose.live";
+  write_skin(path, data);
+  const SkinData read = read_skin(path);
+  std::filesystem::remove(path);
+  Skin first(data), second(read);
+  step(first, 0, posed_at(7));
+  const auto expected = signals;
+  EXPECT_EQ(step(second, 0, posed_at(7)), 0u);
+  EXPECT_EQ(signals, expected);
 }
 
 TEST_F(LivePose, OfManyIsThatOfOneAndTakesNoMemory) {
