@@ -67,7 +67,9 @@ int main(int argc, char** argv) {
     const ionskin::Case input = ionskin::read_case_text(data.case_text, path).input;
     TrainingOptions options;
     options.threads = threads;
-    const TouchRange range = touch_range(input);
+    TouchRange range = touch_range(input);
+    range.steepest = data.steepest;
+    range.fastest_turn = data.fastest_turn;
     const auto footprint =
         full_run(input, random_touches(range, 1, seed), {}, options).contact.mesh.footprint();
     print(errors_on_touches(data, input, range, touches, seed, footprint, options,

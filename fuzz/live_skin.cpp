@@ -8,6 +8,7 @@
 #include "ionskin/live/skin.hpp"
 #include "scratch_file.hpp"
 
+#include <array>
 #include <span>
 #include <string>
 #include <vector>
@@ -23,6 +24,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     std::vector<double> signals(skin.names().size());
     skin.step(0, read.lowest_place, false, -1e-7, signals);
     skin.step(1, read.highest_place, true, 1, signals);
+    skin.step(2, read.highest_place, {1e-3, -1e-2, 0.1}, true, 1, signals);
+    std::array<double, 36> stiffness{};
+    skin.stiffness(stiffness);
   } catch (const ionskin::UserError&) {
   }
   return 0;

@@ -113,6 +113,63 @@ class LiveTest(ProgramTest):
         by_height = (pressed["normal_force"] - deeper["normal_force"]) / 1e-9
         self.assertAlmostEqual(-stiffness[2, 2] / by_height, 1, delta=1e-3)
 
+    def test_flags_angles_that_it_was_not_trained_for(self):
+        skin = ionskin.live.Skin(self.trained)
+        self.assertEqual((skin.range.tilt, skin.range.turn, skin.turns_into_itself), (0, 0, False))
+        upright = skin.copy().step(0, (5e-3, 1e-3), height=-6e-7)
+        self.assertEqual(skin.copy().step(0, pose=(5e-3, 1e-3, -6e-7, 0, 0, 0)).array.tolist(), upright.array.tolist())
+        for angles in ((1e-3, 0, 0), (0, 0, 0.1)):
+            posed = skin.copy().step(0, (5e-3, 1e-3), height=-6e-7, angles=angles)
+            self.assertEqual((posed.flags, posed.outside), (ionskin.live.OUTSIDE_POSE, True))
+            self.assertEqual(posed.array.tolist(), upright.array.tolist())  # the nearest pose that was trained
+        forced = skin.copy().step(0, pose=(5e-3, 1e-3, None, 0, 0, 0), force=20)
+        self.assertAlmostEqual(forced["normal_force"], 20, delta=1e-3)
+        for wrong, pattern in (({"pose": (1, 2, 3)}, "must be six"), ({"height": 0, "angles": (0, 0)}, "angles"),
+                               ({"height": 0, "angles": (0, 0, 1e7)}, "yaw")):
+            with self.subTest(pattern), self.assertRaisesRegex(ValueError, pattern):
+                skin.step(0, *(() if "pose" in wrong else ((5e-3, 1e-3),)), **wrong)
+        with self.assertRaisesRegex(TypeError, "not both"):
+            skin.step(0, (5e-3, 1e-3), pose=(5e-3, 1e-3, 0, 0, 0, 0))
+
+    @long_test
+    def test_a_ball_that_tilts_and_spins(self):
+        """The wrench of a ball whose angles change on the way is that of the full model, along waypoints of its own."""
+        finger = (ROOT / "cases" / "finger.toml").read_text()
+        for was, now in (('"8 mm"', '"4 mm"'), ('"6 mm"\ntouch', '"1 mm"\ntouch'), ('slide = "2 s"', 'slide = "0.5 s"'),
+                         ('preload = "1 N"', 'preload = "2 um"'), ('["4.5 mm", "3 mm"]', '["5 mm", "3 mm"]'),
+                         ('fields = ["0.5 s", "1.5 s"]', "")):
+            self.assertIn(was, finger)
+            finger = finger.replace(was, now)
+        (self.folder / "ball.toml").write_text(finger)
+        coarse = ("--set", "numerics.preset=coarse", "--set", "numerics.mesh_refinement=0.5")
+        trained = self.live("ball.toml", *coarse, "--tilt", "0.5", "--spin", "60", "--trajectories", "3", "--validation", "1",
+                            "-o", "ball.live")
+        self.assertEqual(trained.returncode, 0, trained.stderr)
+        rows = numpy.array([[0, 5, 100, 0, 0, 0], [0.2, 5, -1.5, 0, 0, 0], [0.4, 5, -1.5, 0.3, 0, 10], [0.6, 5.5, -1.5, 0.3, -0.2, 10],
+                            [0.8, 5.5, -1.2, 0, 0.4, 0], [1, 5.5, 100, 0, 0.4, 0]])
+        times = numpy.arange(1001) / 1000
+        path = numpy.column_stack([numpy.interp(times, rows[:, 0], rows[:, i]) for i in range(1, 6)])
+        numpy.savetxt(self.folder / "path.csv", numpy.column_stack([times, path[:, 0], numpy.full_like(times, 3), path[:, 1:]]),
+                      "%.9g", ",", comments="",
+                      header="time [s],x [mm],y [mm],height [um],roll [deg],pitch [deg],yaw [deg]")
+        begin, end = finger.index("[motion]"), finger.index("[contact]")
+        (self.folder / "path.toml").write_text(
+            (finger[:begin] + '[motion]\nkind = "waypoints"\nfile = "path.csv"\n\n' + finger[end:]).replace(
+                'start = ["5 mm", "3 mm"]\n', ""))
+        subprocess.run([PROGRAM, "run", "path.toml", *coarse, "--only", "mechanics", "--set", "numerics.error_estimate=off",
+                        "-o", "full", "--no-report", "--quiet"], check=True, cwd=self.folder)
+        full = ionskin.open_results(self.folder / "full").signals
+        skin = ionskin.live.Skin(self.folder / "ball.live")
+        signals = skin.run(times, numpy.column_stack([1e-3 * path[:, 0], numpy.full_like(times, 3e-3)]),
+                           heights=1e-6 * path[:, 1], angles=numpy.radians(path[:, 2:]))
+        self.assertFalse(signals.flags.any())
+        for name, share in (("normal_force", 0.01), ("moment_x", 0.02), ("moment_y", 0.02), ("moment_z", 0.05),
+                            ("tangential_force_x", 0.02)):
+            with self.subTest(name):
+                reference = numpy.interp(times, full["time"], full[name])
+                error = numpy.sqrt(((signals[name] - reference) ** 2).mean())
+                self.assertLess(error, share * numpy.abs(reference).max())
+
     def play(self):
         """A press, a slide and a lift as a page; its path and the signals."""
         times = 1e-3 * numpy.arange(2000)

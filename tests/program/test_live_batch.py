@@ -75,6 +75,17 @@ class LiveBatchTest(ProgramTest):
             signals = Skin(self.trained, friction=friction[i]).run(times, numpy.array(positions), forces=forces)
             numpy.testing.assert_array_equal(signals.array, together[:, i])
 
+    def test_tells_the_stiffness_of_each(self):
+        skins, stiffness = Skins(self.trained, COUNT, threads=2), numpy.empty((COUNT, 6, 6))
+        alone = Skin(self.trained)
+        positions, forces = inputs(1)
+        skins.step(0, positions, forces=forces, angles=numpy.zeros((COUNT, 3)), stiffness=stiffness)
+        alone.step(0, positions[3], force=forces[3])
+        numpy.testing.assert_array_equal(stiffness[3], alone.stiffness())
+        for wrong in (numpy.empty((COUNT, 36)), numpy.empty((COUNT, 6, 6), dtype=numpy.float32)):
+            with self.assertRaisesRegex(ValueError, "stiffness"):
+                skins.step(1, positions, forces=forces, stiffness=wrong)
+
     def test_copies_pickles_and_processes_go_on_as_it_does(self):
         skins = Skins(self.trained, COUNT, threads=2, friction=numpy.linspace(0.1, 0.4, COUNT), noise=1e-9, seed=3)
         run(skins, 0, 20)

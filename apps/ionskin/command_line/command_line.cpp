@@ -135,6 +135,16 @@ void add_live(CLI::App& app, Command& command) {
                        "Lowest and highest coefficient of friction, any of which can be set later; "
                        "the case's alone without it")
           ->type_name("LOW HIGH");
+  CLI::Option* tilt =
+      verb->add_option("--tilt", options->tilt,
+                       "Steepest tilt of the slider to train, roll and pitch together, up to 5 "
+                       "degrees; upright alone without it")
+          ->type_name("DEG");
+  CLI::Option* spin =
+      verb->add_option("--spin", options->spin,
+                       "Fastest turn about z to train, of a slider that looks alike from all "
+                       "sides, in degrees a second; none without it")
+          ->type_name("DEG/S");
   CLI::Option* seed =
       verb->add_option("--seed", options->seed, "Seed of the touches")->capture_default_str();
   verb->add_flag("--overwrite", options->overwrite, "Replace existing files");
@@ -143,9 +153,10 @@ void add_live(CLI::App& app, Command& command) {
   add_cache_option(*verb);
   add_log_options(*verb, options->log);
   verb->callback([=, &command] {
-    options->trains =
-        !options->output.empty() || !options->set_edits.empty() ||
-        trajectories->count() + validation->count() + seed->count() + friction->count() > 0;
+    options->trains = !options->output.empty() || !options->set_edits.empty() ||
+                      trajectories->count() + validation->count() + seed->count() +
+                              friction->count() + tilt->count() + spin->count() >
+                          0;
     command = *options;
   });
 }

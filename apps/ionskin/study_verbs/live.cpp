@@ -18,6 +18,7 @@
 
 #include <filesystem>
 #include <map>
+#include <numbers>
 #include <string>
 #include <utility>
 
@@ -97,11 +98,11 @@ void write_files(const LiveOptions& options, const ionskin::live::SkinData& data
 /// Makes nothing but an FMU, of a skin that is there.
 int export_skin(const LiveOptions& options) {
   if (options.trains) {
-    throw UserError(fmt::format(
-        "{} is a live skin, trained already: --output, --set, "
-        "--trajectories, --friction, --validation and --seed have no use\n  = give --fmu alone, or "
-        "the case file to train anew",
-        options.case_path));
+    throw UserError(fmt::format("{} is a live skin, trained already: --output, --set, "
+                                "--trajectories, --friction, --tilt, --spin, --validation and "
+                                "--seed have no use\n  = give --fmu alone, or "
+                                "the case file to train anew",
+                                options.case_path));
   }
   write_files(options, ionskin::live::read_skin(options.case_path));
   return static_cast<int>(ExitCode::success);
@@ -145,6 +146,8 @@ int live(const LiveOptions& options, const std::string& command) {
   require_outputs(options);
   ionskin::live::TrainingOptions settings;
   settings.friction = options.friction;
+  settings.tilt = options.tilt * std::numbers::pi / 180;
+  settings.turn = options.spin * std::numbers::pi / 180;
   ionskin::live::check_trainable(input, settings);
   planning::require_resources(input, thread_count(options.threads));
   ionskin::live::SkinData data;

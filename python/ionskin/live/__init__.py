@@ -9,9 +9,10 @@
 `Skins` steps many of them together, for a learner.
 """
 
-from .signals import OUTSIDE_LOAD, OUTSIDE_PLACE, OUTSIDE_SPEED, PULLED, REFUSED, UNCONVERGED, LiveSkinWarning, Range, SignalError, Signals
+from .signals import (OUTSIDE_LOAD, OUTSIDE_PLACE, OUTSIDE_POSE, OUTSIDE_SPEED, PULLED, REFUSED, UNCONVERGED, LiveSkinWarning, Range,
+                      SignalError, Signals)
 from .skin import Skin
 from .skins import Skins
 
-__all__ = ["OUTSIDE_LOAD", "OUTSIDE_PLACE", "OUTSIDE_SPEED", "PULLED", "REFUSED", "UNCONVERGED", "LiveSkinWarning", "Range",
-           "SignalError", "Signals", "Skin", "Skins"]
+__all__ = ["OUTSIDE_LOAD", "OUTSIDE_PLACE", "OUTSIDE_POSE", "OUTSIDE_SPEED", "PULLED", "REFUSED", "UNCONVERGED",
+           "LiveSkinWarning", "Range", "SignalError", "Signals", "Skin", "Skins"]

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 
 import numpy
 
-OUTSIDE_PLACE, OUTSIDE_LOAD, OUTSIDE_SPEED, UNCONVERGED, REFUSED, PULLED = 1, 2, 4, 8, 16, 32
+OUTSIDE_PLACE, OUTSIDE_LOAD, OUTSIDE_SPEED, UNCONVERGED, REFUSED, PULLED, OUTSIDE_POSE = 1, 2, 4, 8, 16, 32, 64
 
 
 @dataclasses.dataclass(frozen=True)
@@ -25,7 +25,7 @@ class LiveSkinWarning(UserWarning):
 @dataclasses.dataclass(frozen=True)
 class Range:
     """Range that the skin was trained for: places of the slider's centre [m], force [N], indentation [m], speed [m/s],
-    lowest and highest coefficient of friction."""
+    lowest and highest coefficient of friction, tilt [rad], turn about z [rad/s]."""
 
     lowest: tuple[float, float]
     highest: tuple[float, float]
@@ -33,11 +33,13 @@ class Range:
     indentation: float
     speed: float
     friction: tuple[float, float]
+    tilt: float = 0.0
+    turn: float = 0.0
 
 
 class Signals(Mapping):
     """Signals by name, SI units. `flags` is 0 where all is well, else the sum of OUTSIDE_PLACE, OUTSIDE_LOAD,
-    OUTSIDE_SPEED, UNCONVERGED and PULLED; of `Skin.run` an array."""
+    OUTSIDE_SPEED, UNCONVERGED, PULLED and OUTSIDE_POSE; of `Skin.run` an array."""
 
     def __init__(self, columns: dict[str, int], values: numpy.ndarray, flags) -> None:
         self._columns, self._values, self.flags = columns, values, flags
@@ -59,8 +61,8 @@ class Signals(Mapping):
 
     @property
     def outside(self):
-        """True where a step lies outside the trained range, in place, load or speed."""
-        return (self.flags & (OUTSIDE_PLACE | OUTSIDE_LOAD | OUTSIDE_SPEED)) != 0
+        """True where a step lies outside the trained range, in place, load, speed or pose."""
+        return (self.flags & (OUTSIDE_PLACE | OUTSIDE_LOAD | OUTSIDE_SPEED | OUTSIDE_POSE)) != 0
 
     def __repr__(self) -> str:
         return f"Signals({', '.join(f'{name}={self[name]!r}' for name in self)})"

@@ -17,6 +17,9 @@ from .library import load, pointer
 from .signals import LiveSkinWarning, Range, SignalError, Signals
 
 
+_MOST_TURNED = 1e6  # yaw [rad]
+
+
 class Skin:
     """A reduced skin. Times ascend; the first step may begin in contact. One thread at a time steps it. `friction` is a
     coefficient within `range.friction`, that of the case without it; it can be set again between two steps."""
@@ -69,7 +72,17 @@ class Skin:
         values = numpy.empty(7)
         self._library.ionskin_live_range(self._handle, pointer(values))
         return Range(tuple(values[:2].tolist()), tuple(values[2:4].tolist()), *values[4:].tolist(),
-                     tuple(self._friction()[1:].tolist()))
+                     tuple(self._friction()[1:].tolist()), *self._pose_range()[:2].tolist())
+
+    def _pose_range(self) -> numpy.ndarray:
+        values = numpy.empty(3)
+        self._library.ionskin_live_pose_range(self._handle, pointer(values))
+        return values
+
+    @property
+    def turns_into_itself(self) -> bool:
+        """True if the underside looks alike from all sides: such a slider may turn about z."""
+        return bool(self._pose_range()[2])
 
     def _friction(self) -> numpy.ndarray:
         values = numpy.empty(3)
@@ -130,18 +143,26 @@ class Skin:
         LiveSkinWarning."""
         return self._library.ionskin_live_text(self._handle, b"shortfall").decode()
 
-    def step(self, time: float, position: Sequence[float], *, height: float | None = None,
-             force: float | None = None) -> Signals:
+    def step(self, time: float, position: Sequence[float] | None = None, *, height: float | None = None,
+             force: float | None = None, angles: Sequence[float] = (0, 0, 0),
+             pose: Sequence[float] | None = None) -> Signals:
         """The signals at a time [s] with the slider's centre at (x, y) [m] and its underside at a height above the
         undeformed top face [m], negative when it indents, or pressed by a force [N]. Currents are means since the
-        step before. ValueError: a value that is no number, or a time before the last."""
+        step before. `angles` are roll, pitch and yaw [rad], and the height that of the lowest point as it stands. A pose
+        (x, y, z, roll, pitch, yaw) takes the place of position, height and angles; with a force its z is not used and
+        may be None. ValueError: a value that is no number, or a time before the last."""
+        if pose is not None:
+            position, height, angles = _parted(pose, position, height, force)
         kind, value = one_load(height, force, "")
         time = float(finite("time", time, ()))
         self._require_ascending(time)
         place = finite("position", position, (2,))
         value = finite("force" if kind else "height", value, ())
+        angles = finite("angles", angles, (3,))
+        _require_turns("yaw", angles[2])
         signals = numpy.empty(len(self._columns))
-        flags = self._library.ionskin_live_step(self._handle, time, place[0], place[1], kind, value, pointer(signals))
+        flags = self._library.ionskin_live_step_posed(self._handle, time, place[0], place[1], pointer(angles), kind, value,
+                                                      pointer(signals))
         self._time, self._stepped = time, True
         return Signals(self._columns, signals, flags)
 
@@ -159,12 +180,14 @@ class Skin:
             raise ArithmeticError("stiffness: the equations of the contact were not solved")
         return values
 
-    def run(self, times: Sequence[float], positions, *, heights=None, forces=None) -> Signals:
-        """Many steps at once: times [n], positions [n, 2], heights or forces [n]; signals are arrays [n]."""
+    def run(self, times: Sequence[float], positions, *, heights=None, forces=None, angles=None) -> Signals:
+        """Many steps at once: times [n], positions [n, 2], heights or forces [n], angles [n, 3]; signals are arrays [n]."""
         kind, values = one_load(heights, forces, "s")
         times = finite("times", times, (numpy.size(times),))
         positions = finite("positions", positions, (len(times), 2))
         values = finite("forces" if kind else "heights", values, (len(times),))
+        angles = finite("angles", numpy.zeros((len(times), 3)) if angles is None else angles, (len(times), 3))
+        _require_turns("yaw", numpy.abs(angles[:, 2]).max(initial=0))
         if (numpy.diff(times) < 0).any():
             later = int(numpy.argmax(numpy.diff(times) < 0)) + 1
             raise ValueError(f"times: {times[later]} s (index {later}) comes after {times[later - 1]} s")
@@ -172,9 +195,9 @@ class Skin:
         flags = numpy.zeros(len(times), dtype=numpy.uint32)
         if len(times):
             self._require_ascending(times[0])
-            self._library.ionskin_live_run(self._handle, len(times), pointer(times), pointer(positions), kind,
-                                           pointer(values), pointer(signals),
-                                           flags.ctypes.data_as(ctypes.POINTER(ctypes.c_uint32)))
+            self._library.ionskin_live_run_posed(self._handle, len(times), pointer(times), pointer(positions),
+                                                 pointer(angles), kind, pointer(values), pointer(signals),
+                                                 flags.ctypes.data_as(ctypes.POINTER(ctypes.c_uint32)))
             self._time, self._stepped = float(times[-1]), True
         return Signals(self._columns, signals, flags)
 
@@ -249,6 +272,20 @@ class Skin:
     def _require_ascending(self, time: float) -> None:
         if self._time is not None and time < self._time:
             raise ValueError(f"time: {time} s comes before the last step at {self._time} s; restore a state, or reset")
+
+
+def _parted(pose, position, height, force):
+    """Position, height and angles of a pose. TypeError: given beside it. ValueError: not six."""
+    if position is not None or height is not None:
+        raise TypeError("give either a pose or a position and a height, not both")
+    if len(pose) != 6:
+        raise ValueError(f"pose: {len(pose)} numbers, and must be six: x, y, z, roll, pitch, yaw")
+    return pose[:2], pose[2] if force is None else None, pose[3:]
+
+
+def _require_turns(name: str, yaw: float) -> None:
+    if abs(yaw) > _MOST_TURNED:
+        raise ValueError(f"{name}: {yaw:g} rad is outside +-{_MOST_TURNED:g} rad")
 
 
 def _digest(path: str | os.PathLike) -> bytes:

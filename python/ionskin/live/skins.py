@@ -70,13 +70,17 @@ class Skins:
         """A skin of the same file: its range, taxels and errors."""
         return self._skin
 
-    def step(self, times, positions, *, heights=None, forces=None, out: numpy.ndarray | None = None) -> Signals:
+    def step(self, times, positions, *, heights=None, forces=None, angles=None, out: numpy.ndarray | None = None,
+             stiffness: numpy.ndarray | None = None) -> Signals:
         """The signals of all environments, of which `array` is [environment, signal]. Of an environment whose numbers are not
         finite or whose time goes back nothing moves: REFUSED, with the signals of its step before.
 
         times      one [s], or [environment]
         positions  [environment, 2] of the slider's centre [m]
         heights, forces  one of both [environment] [m], [N], as `Skin.step` takes them
+        angles     [environment, 3] roll, pitch and yaw [rad]; upright without it
+        stiffness  takes the derivatives that `Skin.stiffness` tells: [environment, 6, 6], float64, contiguous; NaN where
+                   there is none
         out        takes the signals instead of a new array: [environment, signal] of the dtype, contiguous
 
         Arrays of numpy, torch or jax in the memory of the processor are read in place where they are contiguous and of the
@@ -85,6 +89,13 @@ class Skins:
         times = self._array("times", times, (self._count,), numpy.dtype(numpy.float64))
         positions = self._array("positions", positions, (self._count, 2), self._dtype)
         loads = self._array("forces" if kind else "heights", loads, (self._count,), self._dtype)
+        if angles is not None:
+            angles = self._array("angles", angles, (self._count, 3), self._dtype)
+        wanted = (self._count, 6, 6)
+        if stiffness is not None and not (isinstance(stiffness, numpy.ndarray) and stiffness.shape == wanted
+                                          and stiffness.dtype == numpy.float64 and stiffness.flags.c_contiguous
+                                          and stiffness.flags.writeable):
+            raise ValueError(f"stiffness: a contiguous array of float64 with the shape {wanted} is wanted")
         shape = (self._count, len(self._names))
         if out is None:
             out = numpy.empty(shape, dtype=self._dtype)
@@ -94,18 +105,18 @@ class Skins:
         flags = numpy.empty(self._count, dtype=numpy.uint32)
         batch = Batch(times.ctypes.data, positions.ctypes.data, loads.ctypes.data, out.ctypes.data, flags.ctypes.data,
                       self._told.ctypes.data, len(self._told), kind, self._dtype == numpy.float32)
-        self._step(batch)
+        self._step(batch, *(None if more is None else more.ctypes.data for more in (angles, stiffness)))
         return Signals(self._columns, out, flags)
 
-    def _step(self, batch: Batch) -> None:
+    def _step(self, batch: Batch, angles, stiffness) -> None:
         share = -(-self._count // (4 * self._threads))
         block = min(_BLOCK, -(-share // 4) * 4)  # four share what is read
         begins = iter(range(0, self._count, block))
 
         def work(worker: int) -> None:
             for begin in begins:  # each thread takes the next
-                self._library.ionskin_live_skins_step(self._handle, worker, begin, min(begin + block, self._count),
-                                                      ctypes.byref(batch))
+                self._library.ionskin_live_skins_step_posed(self._handle, worker, begin, min(begin + block, self._count),
+                                                            ctypes.byref(batch), angles, stiffness)
 
         workers = min(self._threads, -(-self._count // block))
         others = [self._threads_of_process().submit(work, worker) for worker in range(1, workers)]

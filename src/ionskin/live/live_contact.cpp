@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <numeric>
 
 namespace ionskin::live {
@@ -48,7 +49,7 @@ laws::Friction friction_of(const SkinData& data, double coefficient) {
 
 LiveContact::LiveContact(const SkinData& data)
     : data_(data), friction_(friction_of(data, data.friction)), size_(3 * data.area.size()),
-      memory_size_(memory_per_cell(data) * data.area.size()),
+      memory_size_(memory_per_cell(data) * data.area.size()), gap_(data.gap),
       first_touch_(*std::min_element(data.gap.begin(), data.gap.end())),
       compliance_(data.compliance.modes() > 0 ? size_ * size_ : 0), assembled_(size_), own_(size_),
       before_(size_), amplitude_(data.compliance.modes()), drag_(data.area.size()),
@@ -131,14 +132,37 @@ void LiveContact::add(std::size_t cell, const std::array<double, 3>& force, Stat
   }
 }
 
+/// Takes the gaps of a tilted underside, or those of the upright one.
+void LiveContact::tilt(const Stance& stance) noexcept {
+  const auto& [x, y] = stance.slope;
+  const bool tilted = x != 0 || y != 0;
+  if (tilted || tilted_) {
+    first_touch_ = std::numeric_limits<double>::infinity();
+    for (std::size_t cell = 0; cell < gap_.size(); ++cell) {
+      gap_[cell] = data_.gap[cell] +
+                   (tilted ? x * middle_[cell][0] + y * middle_[cell][1] - stance.lowest : 0.0);
+      first_touch_ = std::min(first_touch_, gap_[cell]);
+    }
+    tilted_ = tilted;
+  }
+}
+
+/// Slip of the slider over a cell in the step, docs/model.md (78) [m].
+std::array<double, 2> LiveContact::slip(std::size_t cell, const std::array<double, 2>& travel,
+                                        const State& state) const noexcept {
+  const std::size_t at = 3 * cell;
+  const auto& [x, y] = middle_[cell];
+  return {travel[0] - turn_ * y - (state.surface[at + 1] - before_[at + 1]),
+          travel[1] + turn_ * x - (state.surface[at + 2] - before_[at + 2])};
+}
+
 /// Response of the friction law of a cell under a normal force [N], at the surfaces of now.
 laws::FrictionResponse LiveContact::friction_at(std::size_t cell, double normal, double time_step,
                                                 const std::array<double, 2>& travel,
                                                 const State& state) const noexcept {
   const std::size_t at = 3 * cell;
   const double own = std::max(own_[at + 1], own_[at + 2]), area = data_.area[cell];
-  const double slip_x = travel[0] - (state.surface[at + 1] - before_[at + 1]),
-               slip_y = travel[1] - (state.surface[at + 2] - before_[at + 2]);
+  const auto [slip_x, slip_y] = slip(cell, travel, state);
   return laws::return_mapping(friction_, {normal / area,
                                           {(state.force[at + 1] + slip_x / own) / area,
                                            (state.force[at + 2] + slip_y / own) / area},
@@ -152,9 +176,8 @@ LiveContact::Sweep LiveContact::sweep(double time_step, const std::array<double,
                                       State& state) noexcept {
   Sweep result;
   for (std::size_t cell = 0, at = 0; at < size_; ++cell, at += 3) {
-    const double normal =
-        std::max(0.0, state.force[at] +
-                          (state.indentation - data_.gap[cell] - state.surface[at]) / own_[at]);
+    const double normal = std::max(
+        0.0, state.force[at] + (state.indentation - gap_[cell] - state.surface[at]) / own_[at]);
     const double* force = &state.force[at];
     if (normal == 0 && force[0] == 0 && force[1] == 0 && force[2] == 0) {
       continue; // open as it was
@@ -218,8 +241,7 @@ bool LiveContact::correct(const Load& load, State& state) noexcept {
                   from_indentation = std::span(from_indentation_).first(count);
   for (std::size_t j = 0; j < count; ++j) {
     const std::size_t cell = touching[j];
-    from_gaps[j] =
-        static_cast<float>(state.indentation - data_.gap[cell] - state.surface[3 * cell]);
+    from_gaps[j] = static_cast<float>(state.indentation - gap_[cell] - state.surface[3 * cell]);
     from_indentation[j] = 1;
   }
   correction_.solve(from_gaps);
@@ -300,8 +322,7 @@ void LiveContact::remember(double time_step, const std::array<double, 2>& travel
     slips_[cell] = touches && laws::limit_norm(friction_, {state.force[at + 1] / area,
                                                            state.force[at + 2] / area}) >=
                                   (1 - slipping) * limit;
-    const double slip_x = travel[0] - (state.surface[at + 1] - before_[at + 1]),
-                 slip_y = travel[1] - (state.surface[at + 2] - before_[at + 2]);
+    const auto [slip_x, slip_y] = slip(cell, travel, state);
     if (friction_.elastic_slip > 0) {
       const laws::ElasticSlip elastic =
           laws::divided_slip(friction_, elastic_slip(cell, state),
@@ -320,8 +341,10 @@ void LiveContact::remember(double time_step, const std::array<double, 2>& travel
 }
 
 double LiveContact::step(double time_step, const std::array<double, 2>& place,
-                         const std::array<double, 2>& travel, const Load& load,
-                         State state) noexcept {
+                         const std::array<double, 2>& travel, const Stance& stance,
+                         const Load& load, State state) noexcept {
+  tilt(stance);
+  turn_ = stance.turn;
   const bool moved = !(std::hypot(place[0] - state.assembled_x, place[1] - state.assembled_y) <=
                        assembly_distance);
   if (moved) {

@@ -35,12 +35,25 @@ public:
     double value = 0; ///< on the meshed part [N], or indentation, negative above the skin [m]
   };
 
+  /// Tilt and turn of a slider in a step, docs/model.md (77), (78).
+  struct Stance {
+    std::array<double, 2> slope{}; ///< of the underside along x and y [1]
+    double lowest = 0; ///< height of its lowest point above that of the upright one, about the
+                       ///< centre [m]
+    double turn = 0;   ///< about z in the step [rad]
+  };
+
   /// @param data outlives this
   explicit LiveContact(const SkinData& data);
 
   /// @returns the largest change of a force in the last sweep over the largest force
   double step(double time_step, const std::array<double, 2>& place,
-              const std::array<double, 2>& travel, const Load& load, State state) noexcept;
+              const std::array<double, 2>& travel, const Load& load, State state) noexcept {
+    return step(time_step, place, travel, Stance(), load, state);
+  }
+  double step(double time_step, const std::array<double, 2>& place,
+              const std::array<double, 2>& travel, const Stance& stance, const Load& load,
+              State state) noexcept;
   /// Takes the compliance of the state's assembled place, after a restore.
   void assemble(const State& state) noexcept;
   /// Goes over to another skin of the same file, with a friction of its own.
@@ -68,6 +81,9 @@ private:
   struct Sweep { // changes of a force at most, of all and of the normal ones [N]
     double change = 0, normal_change = 0;
   };
+  void tilt(const Stance& stance) noexcept;
+  std::array<double, 2> slip(std::size_t cell, const std::array<double, 2>& travel,
+                             const State& state) const noexcept;
   const float* column(std::size_t at) noexcept;
   void add(std::size_t cell, const std::array<double, 3>& force, State& state) noexcept;
   Sweep sweep(double time_step, const std::array<double, 2>& travel, State& state) noexcept;
@@ -92,6 +108,8 @@ private:
   const SkinData& data_;
   laws::Friction friction_;
   std::size_t size_, memory_size_;
+  std::vector<double> gap_; ///< in the stance of the step [m]
+  bool tilted_ = false;
   double first_touch_;
   std::vector<std::array<double, 2>> middle_;
   std::vector<float> compliance_;           ///< [column][row], where `assembled_` says so
@@ -111,6 +129,7 @@ private:
   bool stepped_ = false;
   double time_step_ = 0;
   std::array<double, 2> travel_{};
+  double turn_ = 0;
   std::vector<double> memory_before_;
   /// Derivatives of each force of a cell by each motion, and those of the surfaces, or what of
   /// their equations is missed.

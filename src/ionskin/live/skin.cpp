@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/live/skin.hpp"
 
+#include "ionskin/live/slope_table.hpp"
 #include "ionskin/mechanics/surface/covered_area.hpp"
 
 #include <algorithm>
@@ -131,9 +132,9 @@ void Skin::add_contact(std::span<double> signals) noexcept {
   signals[stick_share] = touching > 0 ? sticking / touching : 0;
 }
 
-std::uint32_t Skin::step(double time, const std::array<double, 2>& place, bool is_force,
-                         double value, std::span<double> signals) noexcept {
-  const Pressed pressed = press(time, place, is_force, value, signals);
+std::uint32_t Skin::step(double time, const std::array<double, 2>& place, const Angles& angles,
+                         bool is_force, double value, std::span<double> signals) noexcept {
+  const Pressed pressed = press(time, place, angles, is_force, value, signals);
   if ((pressed.flags & flag::refused) == 0) {
     if (pressed.touches) {
       const ChannelField::Touch own = touch(pressed);
@@ -150,11 +151,35 @@ ChannelField::Touch Skin::touch(const Pressed& pressed) const noexcept {
   return {pressed.place, std::span(state_).subspan(force_, 3 * data_.area.size())};
 }
 
-Skin::Pressed Skin::press(double time, const std::array<double, 2>& place, bool is_force,
-                          double value, std::span<double> signals) noexcept {
+/// @param outside becomes true where another pose is taken
+LiveContact::Stance Skin::stance(const Angles& angles, bool first, bool& outside) const noexcept {
+  auto [roll, pitch, yaw] = angles;
+  LiveContact::Stance result;
+  if (data_.turns_into_itself != 0) {
+    result.turn = first ? 0 : yaw - state_[last_yaw];
+  } else {
+    outside = yaw != 0;
+    yaw = 0;
+  }
+  const double tilt = std::hypot(roll, pitch);
+  if (tilt > (1 + load_rounding) * data_.steepest) {
+    outside = true;
+  }
+  if (tilt > 0 && data_.steepest > 0) {
+    const double share = std::min(1.0, data_.steepest / tilt), along_x = -std::tan(share * pitch),
+                 along_y = std::tan(share * roll), c = std::cos(yaw), s = std::sin(yaw);
+    result.slope = {c * along_x - s * along_y, s * along_x + c * along_y};
+    result.lowest = at_slope(data_.slopes, data_.lowest, result.slope);
+  }
+  return result;
+}
+
+Skin::Pressed Skin::press(double time, const std::array<double, 2>& place, const Angles& angles,
+                          bool is_force, double value, std::span<double> signals) noexcept {
   const bool first = state_[started] == 0;
   if (!(std::isfinite(time) && std::isfinite(place[0]) && std::isfinite(place[1]) &&
-        std::isfinite(value)) ||
+        std::isfinite(value) && std::isfinite(angles[0]) && std::isfinite(angles[1]) &&
+        std::abs(angles[2]) <= most_turned) ||
       (!first && time < state_[last_time])) {
     std::copy_n(state_.begin() + static_cast<std::ptrdiff_t>(signals_), names_.size(),
                 signals.begin());
@@ -169,17 +194,21 @@ Skin::Pressed Skin::press(double time, const std::array<double, 2>& place, bool 
     outside = outside || std::abs(at[d] - place[d]) > rounding;
     travel[d] = first ? 0 : at[d] - state_[last_x + d];
   }
+  bool outside_pose = false;
+  const LiveContact::Stance stands = stance(angles, first, outside_pose);
   const bool fast =
-      std::hypot(travel[0], travel[1]) > (1 + margin) * data_.fastest * pressed.time_step + 1e-9;
+      std::hypot(travel[0], travel[1]) > (1 + margin) * data_.fastest * pressed.time_step + 1e-9 ||
+      std::abs(stands.turn) > (1 + margin) * data_.fastest_turn * pressed.time_step + rounding;
   const bool touched = state_[started] != 0 && state_[signals_ + normal_force] > 0;
   state_[started] = 1;
   state_[last_time] = time;
   state_[last_x] = at[0];
   state_[last_y] = at[1];
+  state_[last_yaw] = angles[2];
   const double trained = is_force ? data_.heaviest_force : data_.deepest_indentation,
                load = std::min(is_force ? value : -value, trained);
   const double left =
-      contact_.step(pressed.time_step, at, travel,
+      contact_.step(pressed.time_step, at, travel, stands,
                     {is_force, is_force ? load * data_.meshed_share : load}, contact_state());
   add_contact(signals);
   signals[slider_x] = at[0];
@@ -192,6 +221,7 @@ Skin::Pressed Skin::press(double time, const std::array<double, 2>& place, bool 
   }
   const bool touches = pressed.touches = signals[normal_force] > 0;
   flags |= touches && outside ? flag::outside_place : 0;
+  flags |= touches && outside_pose ? flag::outside_pose : 0;
   flags |= touches && touched && fast ? flag::outside_speed : 0;
   // A height within the range may press heavier than trained elsewhere; a force is met.
   const bool heavy = (is_force ? value : -value) > (1 + load_rounding) * trained ||

@@ -26,8 +26,14 @@ inline constexpr std::uint32_t unconverged = 8;   ///< residual above 1e-3: the 
 /// NaN, infinity, or a time before the last: nothing has moved, the signals are the last ones.
 inline constexpr std::uint32_t refused = 16;
 inline constexpr std::uint32_t pulled = 32; ///< a negative force: no skin pulls, it is detached
-inline constexpr std::uint32_t all = 2 * pulled - 1;
+/// Steeper than trained, or turned about z though the underside does not turn into itself: the
+/// nearest tilt that was trained, or no turn, was taken.
+inline constexpr std::uint32_t outside_pose = 64;
+inline constexpr std::uint32_t all = 2 * outside_pose - 1;
 } // namespace flag
+
+/// Largest yaw of a step: more turns than a slider makes, with digits left for a small one [rad].
+inline constexpr double most_turned = 1e6;
 
 /// The reduced skin: asked step by step where the slider is and how it presses, it tells forces,
 /// charges and currents. After construction nothing is allocated and nothing is thrown. Each thread
@@ -47,7 +53,13 @@ public:
   /// @param signals [names().size()]
   /// @returns flags
   std::uint32_t step(double time, const std::array<double, 2>& place, bool is_force, double value,
-                     std::span<double> signals) noexcept;
+                     std::span<double> signals) noexcept {
+    return step(time, place, Angles(), is_force, value, signals);
+  }
+  /// Roll, pitch and yaw, docs/model.md (77) [rad].
+  using Angles = std::array<double, 3>;
+  std::uint32_t step(double time, const std::array<double, 2>& place, const Angles& angles,
+                     bool is_force, double value, std::span<double> signals) noexcept;
 
   /// Derivative of the last step's wrench on the whole skin by a motion of the slider,
   /// [forces along x, y, z, moments about x, y, z][ways along x, y, z, turns about x, y, z]:
@@ -73,8 +85,8 @@ public:
     double time_step = 0;          ///< [s]
     bool first = false, touches = false;
   };
-  Pressed press(double time, const std::array<double, 2>& place, bool is_force, double value,
-                std::span<double> signals) noexcept;
+  Pressed press(double time, const std::array<double, 2>& place, const Angles& angles,
+                bool is_force, double value, std::span<double> signals) noexcept;
   void tell(const Pressed& pressed, std::span<const ChannelField> fields, std::size_t lane,
             std::span<double> signals) noexcept;
   /// Place and forces as `ChannelField::set` takes them.
@@ -98,6 +110,7 @@ private:
     assembled_x,
     assembled_y,
     indentation,
+    last_yaw,
     singles
   };
 
@@ -105,6 +118,7 @@ private:
   LiveContact::State contact_state() noexcept;
   bool may_be_state(std::span<const double> state) const noexcept;
   bool is_place(double x, double y) const noexcept;
+  LiveContact::Stance stance(const Angles& angles, bool first, bool& outside) const noexcept;
   void add_contact(std::span<double> signals) noexcept;
   // These functions lead from the strain to the charges: skin_charges.cpp.
   void set_levels(const ChannelField& field, std::size_t lane,

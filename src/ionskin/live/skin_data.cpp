@@ -6,10 +6,12 @@
 #include "ionskin/base/files/atomic_file.hpp"
 #include "ionskin/live/live_contact.hpp"
 #include "ionskin/live/skin_archive.hpp"
+#include "ionskin/live/slope_table.hpp"
 
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <fstream>
 
 namespace ionskin::live {
@@ -17,7 +19,8 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "the file is little-endian");
 
-constexpr std::string_view magic = "ionskin live skin, format 6\n";
+constexpr std::string_view magic = "ionskin live skin, format 7\n";
+constexpr double most_tilt = 0.1; // beyond 5 degrees [rad]
 constexpr std::size_t most_waves = 1000, most_columns = 5000;
 constexpr std::size_t largest_file = 256u << 20u;
 
@@ -92,6 +95,11 @@ template <class Archive, class Data> void visit(Archive& archive, Data& data) {
   archive.entry("heaviest_force", data.heaviest_force);
   archive.entry("deepest_indentation", data.deepest_indentation);
   archive.entry("fastest", data.fastest);
+  archive.entry("steepest", data.steepest);
+  archive.entry("fastest_turn", data.fastest_turn);
+  archive.entry("turns_into_itself", data.turns_into_itself);
+  archive.entry("slopes", data.slopes);
+  archive.entry("lowest", data.lowest);
   archive.list("errors", data.errors);
   for (auto& error : data.errors) {
     archive.entry("error.name", error.name);
@@ -178,6 +186,16 @@ void check(const Reader& reader, const SkinData& data) {
                  "spread.rates");
   reader.require(data.taxel_corners.size() == 4 * data.taxels.size() && data.taxels.size() <= 1000,
                  "taxel_corners");
+  reader.require(data.steepest >= 0 && data.steepest < most_tilt && data.fastest_turn >= 0 &&
+                     (data.fastest_turn == 0 || data.turns_into_itself == 1),
+                 "steepest");
+  reader.require(data.steepest == 0
+                     ? data.slopes.empty()
+                     : is_table_of_slopes(data.slopes) &&
+                           data.slopes.back() >= (1 - 1e-9) * std::tan(data.steepest) &&
+                           data.slopes.front() <= -(1 - 1e-9) * std::tan(data.steepest),
+                 "slopes");
+  reader.require(data.lowest.size() == data.slopes.size() * data.slopes.size(), "lowest");
   reader.require(std::ranges::is_partitioned(
                      data.errors, [](const SignalError& error) { return error.event.empty(); }),
                  "error.event");

@@ -93,7 +93,12 @@ struct SkinData {
   double heaviest_force = 0;                             ///< [N]
   double deepest_indentation = 0;                        ///< [m]
   double fastest = 0;                                    ///< [m/s]
-  std::vector<SignalError> errors;                       ///< errors of whole touches first
+  double steepest = 0;                                   ///< tilt [rad]
+  double fastest_turn = 0;                               ///< about z [rad/s]
+  std::uint64_t turns_into_itself = 0;                   ///< 1 if the underside does, about z
+  std::vector<double> slopes;      ///< lines of the tables of slopes: ascending, 0 in the middle
+  std::vector<double> lowest;      ///< [slope along y][along x], as LiveContact::Stance has it [m]
+  std::vector<SignalError> errors; ///< errors of whole touches first
 };
 
 /// Number of digits of the digest at the end of a file.

@@ -68,7 +68,8 @@ bool Skin::may_be_state(std::span<const double> state) const noexcept {
   return state[started] == 1 && std::isfinite(state[last_time]) &&
          is_place(state[last_x], state[last_y]) &&
          is_place(state[assembled_x], state[assembled_y]) && std::isfinite(state[indentation]) &&
-         state[indentation] <= most_length && all_within(part(force_, surface_), most_force) &&
+         std::abs(state[last_yaw]) <= most_turned && state[indentation] <= most_length &&
+         all_within(part(force_, surface_), most_force) &&
          all_within(part(surface_, memory_), most_length) &&
          all_within(part(memory_, signals_), largest) &&
          all_within(state.subspan(signals_), std::numeric_limits<double>::max());

@@ -42,8 +42,8 @@ double Shape::lowest_on_slope(const Plan& plan, const std::array<double, 2>& slo
   std::array<double, 2> low{-plan.size[0] / 2, -plan.size[1] / 2},
       high{plan.size[0] / 2, plan.size[1] / 2};
   double least = std::numeric_limits<double>::infinity();
+  std::array<double, 2> best = low; // a finer grid need not have a better one
   for (int grid = 0; grid <= finer_grids; ++grid) {
-    std::array<double, 2> best = low;
     const std::array<double, 2> step{(high[0] - low[0]) / grid_intervals,
                                      (high[1] - low[1]) / grid_intervals};
     for (int j = 0; j <= grid_intervals; ++j) {

@@ -121,7 +121,16 @@ TEST_F(LiveSkin, RefusesAStateThatNoStepLeaves) {
   };
   const double nan = std::numeric_limits<double>::quiet_NaN(),
                infinity = std::numeric_limits<double>::infinity();
-  enum : std::size_t { started, last_time, last_x, last_y, assembled_x, assembled_y, indentation };
+  enum : std::size_t {
+    started,
+    last_time,
+    last_x,
+    last_y,
+    assembled_x,
+    assembled_y,
+    indentation,
+    last_yaw
+  };
   const std::size_t first_signal = whole.size() - signals.size();
   for (std::size_t at = 0; at < whole.size(); ++at) {
     for (const double value : {nan, infinity, -infinity}) {
@@ -141,7 +150,7 @@ TEST_F(LiveSkin, RefusesAStateThatNoStepLeaves) {
   refuses(whole, started, 0.5);
   refuses(whole, last_x, 0);
   refuses(whole, assembled_y, 2e-3);
-  refuses(whole, indentation + 1, -1e-9); // a cell that pulls
+  refuses(whole, last_yaw + 1, -1e-9); // a cell that pulls
   EXPECT_TRUE(skin.restore(fresh));
 }
 
@@ -240,7 +249,7 @@ TEST_F(LiveSkin, ComesBackFromItsFile) {
     EXPECT_NE(std::string(message).find("ionskin live CASE.toml"), std::string::npos) << message;
   };
   std::string older = bytes;
-  older[bytes.find('\n') - 1] = '5';
+  older[bytes.find('\n') - 1] = '6';
   refused(older);
   EXPECT_NE(std::string(message).find("another format"), std::string::npos) << message;
   for (const std::size_t length :
@@ -283,6 +292,9 @@ TEST_F(LiveSkin, RefusesAFileWhoseSizesDoNotFit) {
   refused([](SkinData& wrong) { wrong.friction_law = "unheard-of"; });
   refused([](SkinData& wrong) { wrong.highest_friction = 0.2; }); // the case has more
   refused([](SkinData& wrong) { wrong.cell_lines_x.pop_back(); });
+  refused([](SkinData& wrong) { wrong.steepest = 0.01; }); // without a table
+  refused([](SkinData& wrong) { wrong.lowest = {0}; });
+  refused([](SkinData& wrong) { wrong.fastest_turn = 1; }); // a block
   std::filesystem::remove(path);
 }
 

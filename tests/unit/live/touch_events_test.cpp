@@ -18,9 +18,9 @@ constexpr double event_speed = 2e-6; // [m] in an instant
 struct EventPath {
   std::vector<TouchInstant> instants{TouchInstant{}};
 
-  void piece(std::size_t count, bool touches, double way_x, double way_y, bool sticks,
+  void piece(std::size_t number, bool touches, double way_x, double way_y, bool sticks,
              double load_change = 0) {
-    for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t i = 0; i < number; ++i) {
       TouchInstant next = instants.back();
       next.centre[0] += way_x;
       next.centre[1] += way_y;

@@ -110,10 +110,18 @@ void Skins::step(std::size_t worker, std::size_t first, std::size_t last,
       const std::size_t at = first + lane;
       Skin& skin = own.lanes[lane];
       skin.exchange(states_[at], frictions_[at]);
-      pressed[lane] = skin.press(step.times[at],
-                                 {static_cast<double>(step.positions[2 * at]),
-                                  static_cast<double>(step.positions[2 * at + 1])},
-                                 step.is_force, static_cast<double>(step.loads[at]), signals(lane));
+      Skin::Angles angles{};
+      for (std::size_t i = 0; step.angles != nullptr && i < angles.size(); ++i) {
+        angles[i] = static_cast<double>(step.angles[angles.size() * at + i]);
+      }
+      pressed[lane] =
+          skin.press(step.times[at],
+                     {static_cast<double>(step.positions[2 * at]),
+                      static_cast<double>(step.positions[2 * at + 1])},
+                     angles, step.is_force, static_cast<double>(step.loads[at]), signals(lane));
+      if (step.stiffness != nullptr) {
+        skin.stiffness(std::span<double, 36>(step.stiffness + 36 * at, 36));
+      }
       if (pressed[lane].touches) {
         lane_of[lane] = touching;
         touches[touching++] = skin.touch(pressed[lane]);

@@ -32,6 +32,9 @@ public:
     std::span<const std::uint32_t> columns; ///< signals that are told
     Value* signals = nullptr;               ///< [environment][column]
     std::uint32_t* flags = nullptr;         ///< [environment]
+    const Value* angles = nullptr; ///< [environment][roll, pitch, yaw] [rad]; null: upright
+    /// [environment][36], as Skin::stiffness tells it; of a refused environment NaN. Null: not told
+    double* stiffness = nullptr;
   };
 
   /// @param data outlives this

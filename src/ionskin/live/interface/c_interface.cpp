@@ -14,6 +14,7 @@ static_assert(IONSKIN_LIVE_OUTSIDE_SPEED == ionskin::live::flag::outside_speed);
 static_assert(IONSKIN_LIVE_UNCONVERGED == ionskin::live::flag::unconverged);
 static_assert(IONSKIN_LIVE_REFUSED == ionskin::live::flag::refused);
 static_assert(IONSKIN_LIVE_PULLED == ionskin::live::flag::pulled);
+static_assert(IONSKIN_LIVE_OUTSIDE_POSE == ionskin::live::flag::outside_pose);
 
 extern "C" {
 
@@ -60,6 +61,22 @@ uint32_t ionskin_live_step(ionskin_live_skin* skin, double time, double x, doubl
                            double value, double* signals) {
   return skin->skin.step(time, {x, y}, kind == IONSKIN_LIVE_FORCE, value,
                          {signals, skin->skin.names().size()});
+}
+
+uint32_t ionskin_live_step_posed(ionskin_live_skin* skin, double time, double x, double y,
+                                 const double angles[3], int kind, double value, double* signals) {
+  return skin->skin.step(time, {x, y}, {angles[0], angles[1], angles[2]},
+                         kind == IONSKIN_LIVE_FORCE, value, {signals, skin->skin.names().size()});
+}
+
+void ionskin_live_run_posed(ionskin_live_skin* skin, size_t count, const double* times,
+                            const double* positions, const double* angles, int kind,
+                            const double* values, double* signals, uint32_t* flags) {
+  for (size_t i = 0; i < count; ++i) {
+    flags[i] = ionskin_live_step_posed(skin, times[i], positions[2 * i], positions[2 * i + 1],
+                                       angles + 3 * i, kind, values[i],
+                                       signals + i * skin->skin.names().size());
+  }
 }
 
 void ionskin_live_run(ionskin_live_skin* skin, size_t count, const double* times,
@@ -121,6 +138,12 @@ void ionskin_live_range(const ionskin_live_skin* skin, double range[7]) {
                          data.highest_place[1], data.heaviest_force,  data.deepest_indentation,
                          data.fastest};
   std::ranges::copy(values, range);
+}
+
+void ionskin_live_pose_range(const ionskin_live_skin* skin, double range[3]) {
+  range[0] = skin->data->steepest;
+  range[1] = skin->data->fastest_turn;
+  range[2] = skin->data->turns_into_itself != 0 ? 1 : 0;
 }
 
 void ionskin_live_size(const ionskin_live_skin* skin, double size[2]) {

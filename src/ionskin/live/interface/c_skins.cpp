@@ -14,7 +14,7 @@ namespace {
 
 template <class Value>
 void step(ionskin_live_skins* skins, size_t worker, size_t first, size_t last,
-          const ionskin_live_batch& batch) {
+          const ionskin_live_batch& batch, const void* angles, double* stiffness) {
   skins->skins.step<Value>(worker, first, last,
                            {batch.times,
                             static_cast<const Value*>(batch.positions),
@@ -22,7 +22,9 @@ void step(ionskin_live_skins* skins, size_t worker, size_t first, size_t last,
                             static_cast<const Value*>(batch.values),
                             {batch.columns, batch.column_count},
                             static_cast<Value*>(batch.signals),
-                            batch.flags});
+                            batch.flags,
+                            static_cast<const Value*>(angles),
+                            stiffness});
 }
 
 } // namespace
@@ -44,10 +46,16 @@ void ionskin_live_skins_close(ionskin_live_skins* skins) {
 
 void ionskin_live_skins_step(ionskin_live_skins* skins, size_t worker, size_t first, size_t last,
                              const ionskin_live_batch* batch) {
+  ionskin_live_skins_step_posed(skins, worker, first, last, batch, nullptr, nullptr);
+}
+
+void ionskin_live_skins_step_posed(ionskin_live_skins* skins, size_t worker, size_t first,
+                                   size_t last, const ionskin_live_batch* batch, const void* angles,
+                                   double* stiffness) {
   if (batch->single != 0) {
-    step<float>(skins, worker, first, last, *batch);
+    step<float>(skins, worker, first, last, *batch, angles, stiffness);
   } else {
-    step<double>(skins, worker, first, last, *batch);
+    step<double>(skins, worker, first, last, *batch, angles, stiffness);
   }
 }
 

@@ -24,6 +24,9 @@ extern "C" {
 #define IONSKIN_LIVE_UNCONVERGED 8u   /* residual above 1e-3 */
 #define IONSKIN_LIVE_REFUSED 16u      /* NaN, infinity or a time before the last: nothing moved */
 #define IONSKIN_LIVE_PULLED 32u       /* a negative force: detached, as with none */
+/* steeper than trained, or turned about z where the underside does not turn into itself: the
+   nearest tilt, or no turn, was taken */
+#define IONSKIN_LIVE_OUTSIDE_POSE 64u
 
 enum { IONSKIN_LIVE_HEIGHT = 0, IONSKIN_LIVE_FORCE = 1 };
 
@@ -47,6 +50,10 @@ const char* ionskin_live_signal_name(const ionskin_live_skin* skin, size_t signa
    `signals` takes signal_count values. */
 uint32_t ionskin_live_step(ionskin_live_skin* skin, double time, double x, double y, int kind,
                            double value, double* signals);
+/* The same of a slider that is tilted and turned: roll, pitch and yaw [rad], as slider.roll and the
+   others of a case. `height` is that of its lowest point. `step` is that of angles 0. */
+uint32_t ionskin_live_step_posed(ionskin_live_skin* skin, double time, double x, double y,
+                                 const double angles[3], int kind, double value, double* signals);
 /* Many steps: positions [count][2], signals [count][signal_count], flags [count]. */
 void ionskin_live_run(ionskin_live_skin* skin, size_t count, const double* times,
                       const double* positions, int kind, const double* values, double* signals,
@@ -59,6 +66,11 @@ void ionskin_live_run(ionskin_live_skin* skin, size_t count, const double* times
    `restore` and `reset`, or where it was not found. Of a skin that is computed as one half, what is
    not alike on both halves is NaN: ways along y, turns about x and z. */
 int ionskin_live_stiffness(ionskin_live_skin* skin, double stiffness[36]);
+
+/* Many steps, with angles [count][3]. */
+void ionskin_live_run_posed(ionskin_live_skin* skin, size_t count, const double* times,
+                            const double* positions, const double* angles, int kind,
+                            const double* values, double* signals, uint32_t* flags);
 
 size_t ionskin_live_state_size(const ionskin_live_skin* skin); /* numbers */
 void ionskin_live_save(const ionskin_live_skin* skin, double* state);
@@ -79,6 +91,9 @@ void ionskin_live_friction(const ionskin_live_skin* skin, double friction[3]);
 const char* ionskin_live_text(const ionskin_live_skin* skin, const char* what);
 /* Trained: lowest x, y, highest x, y [m], force [N], indentation [m], speed [m/s]. */
 void ionskin_live_range(const ionskin_live_skin* skin, double range[7]);
+/* Trained: tilt [rad] and turn about z [rad/s], 0 for none; and 1 if the underside turns into
+   itself about z, else 0. */
+void ionskin_live_pose_range(const ionskin_live_skin* skin, double range[3]);
 /* Length and width of the skin [m]. */
 void ionskin_live_size(const ionskin_live_skin* skin, double size[2]);
 /* Lowest x, y, highest x, y of a taxel [m]; 0 behind the last. */
@@ -119,6 +134,11 @@ void ionskin_live_skins_close(ionskin_live_skins* skins);
    with a worker of its own, below the number of `open`. Allocates nothing and always returns. */
 void ionskin_live_skins_step(ionskin_live_skins* skins, size_t worker, size_t first, size_t last,
                              const ionskin_live_batch* batch);
+/* The same with angles [environment][roll, pitch, yaw], of the type of positions, and the stiffness
+   [environment][36], doubles, as `ionskin_live_stiffness` tells it; either may be NULL. */
+void ionskin_live_skins_step_posed(ionskin_live_skins* skins, size_t worker, size_t first,
+                                   size_t last, const ionskin_live_batch* batch, const void* angles,
+                                   double* stiffness);
 /* The following are those of a single skin, while no thread steps. Friction and noise stay. */
 void ionskin_live_skins_reset(ionskin_live_skins* skins, size_t environment);
 void ionskin_live_skins_save(const ionskin_live_skins* skins, size_t environment, double* state);

@@ -33,10 +33,10 @@ struct Signals {
   std::uint32_t flags = 0;
 
   double operator[](std::size_t signal) const noexcept { return values[signal]; }
-  /// True if a step lies outside the trained range, in place, load or speed.
+  /// True if a step lies outside the trained range, in place, load, speed or pose.
   bool outside() const noexcept {
     return (flags & (IONSKIN_LIVE_OUTSIDE_PLACE | IONSKIN_LIVE_OUTSIDE_LOAD |
-                     IONSKIN_LIVE_OUTSIDE_SPEED)) != 0;
+                     IONSKIN_LIVE_OUTSIDE_SPEED | IONSKIN_LIVE_OUTSIDE_POSE)) != 0;
   }
 };
 
@@ -75,10 +75,21 @@ public:
   /// @param position of the slider's centre [m]
   /// @returns the signals, which the next step replaces
   const Signals& step(double time, const std::array<double, 2>& position, Height height) noexcept {
-    return step(time, position, IONSKIN_LIVE_HEIGHT, height.value);
+    return step(time, position, {}, IONSKIN_LIVE_HEIGHT, height.value);
   }
   const Signals& step(double time, const std::array<double, 2>& position, Force force) noexcept {
-    return step(time, position, IONSKIN_LIVE_FORCE, force.value);
+    return step(time, position, {}, IONSKIN_LIVE_FORCE, force.value);
+  }
+
+  /// Steps as `step` does a slider that is tilted and turned.
+  /// @param angles roll, pitch and yaw [rad]
+  const Signals& step(double time, const std::array<double, 2>& position,
+                      const std::array<double, 3>& angles, Height height) noexcept {
+    return step(time, position, angles, IONSKIN_LIVE_HEIGHT, height.value);
+  }
+  const Signals& step(double time, const std::array<double, 2>& position,
+                      const std::array<double, 3>& angles, Force force) noexcept {
+    return step(time, position, angles, IONSKIN_LIVE_FORCE, force.value);
   }
 
   /// Derivative of the last step's wrench by a rigid motion of the slider, as
@@ -119,6 +130,12 @@ public:
     ionskin_live_range(handle_.get(), values.data());
     return values;
   }
+  /// Trained: tilt [rad] and turn about z [rad/s]; and 1 if the underside turns into itself.
+  std::array<double, 3> pose_range() const noexcept {
+    std::array<double, 3> values{};
+    ionskin_live_pose_range(handle_.get(), values.data());
+    return values;
+  }
   /// Handle of the C interface, for what this class has no function.
   ionskin_live_skin* handle() const noexcept { return handle_.get(); }
 
@@ -138,10 +155,10 @@ private:
     }
     signals_.values.resize(count);
   }
-  const Signals& step(double time, const std::array<double, 2>& position, int kind,
-                      double value) noexcept {
-    signals_.flags = ionskin_live_step(handle_.get(), time, position[0], position[1], kind, value,
-                                       signals_.values.data());
+  const Signals& step(double time, const std::array<double, 2>& position,
+                      const std::array<double, 3>& angles, int kind, double value) noexcept {
+    signals_.flags = ionskin_live_step_posed(handle_.get(), time, position[0], position[1],
+                                             angles.data(), kind, value, signals_.values.data());
     return signals_;
   }
 

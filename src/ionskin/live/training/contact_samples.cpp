@@ -3,6 +3,7 @@
 
 #include "ionskin/base/system/interrupt.hpp"
 #include "ionskin/live/live_contact.hpp"
+#include "ionskin/live/slope_table.hpp"
 #include "ionskin/live/training/random_numbers.hpp"
 
 #include <algorithm>
@@ -18,8 +19,9 @@ constexpr double lightest_share = 0.1, slowest_share = 0.1;
 constexpr double resting_share = 0.3, same_load_share = 0.5, reversal_share = 0.3;
 constexpr double fewest_steps = 10, most_landing_steps = 80, most_steps = 150;
 constexpr double most_legs = 5;
-constexpr int frictions = 5;       // of a range
-constexpr int steps_a_sample = 24; // on average: neighbours tell little more
+constexpr double posing_piece_share = 0.5; // of the strokes that tilt, or turn
+constexpr int frictions = 5;               // of a range
+constexpr int steps_a_sample = 24;         // on average: neighbours tell little more
 
 } // namespace
 
@@ -34,8 +36,24 @@ std::vector<std::vector<double>> contact_samples(const SkinData& data, const Tou
   const auto& [low, high] = range.box;
   std::array<double, 2> at{}, direction{};
   std::vector<std::vector<double>> samples;
+  LiveContact::Stance stance;
+  std::array<double, 2> slope_way{}; // of a step
+  double turn = 0;
   const auto press = [&](const std::array<double, 2>& place, double load) {
-    contact.step(sample_step, place, {place[0] - at[0], place[1] - at[1]}, {range.is_force, load},
+    if (data.steepest > 0) {
+      const double steepest = std::tan(data.steepest);
+      for (std::size_t d = 0; d < 2; ++d) {
+        stance.slope[d] += slope_way[d];
+      }
+      const double length = std::hypot(stance.slope[0], stance.slope[1]);
+      for (double& slope : stance.slope) {
+        slope *= length > steepest ? steepest / length : 1;
+      }
+      stance.lowest = at_slope(data.slopes, data.lowest, stance.slope);
+    }
+    stance.turn = turn;
+    contact.step(sample_step, place, {place[0] - at[0], place[1] - at[1]}, stance,
+                 {range.is_force, load},
                  {force, surface, memory, indentation, assembled_x, assembled_y});
     at = place;
     if (load > 0 && samples.size() < count && random.between(0, steps_a_sample) < 1) {
@@ -46,12 +64,35 @@ std::vector<std::vector<double>> contact_samples(const SkinData& data, const Tou
     return range.heaviest * (range.is_force ? data.meshed_share : 1) *
            random.between(lightest_share, 1);
   };
+  const auto slope = [&] {
+    const double share = std::tan(data.steepest) * std::sqrt(random.between(0, 1)),
+                 towards = random.between(0, 2 * std::numbers::pi);
+    return std::array{share * std::cos(towards), share * std::sin(towards)};
+  };
+  // No pose is drawn that is not trained.
+  const auto pose = [&](bool rests, double length) {
+    slope_way = {};
+    turn = 0;
+    if (data.steepest > 0 && !rests && random.between(0, 1) < posing_piece_share) {
+      const std::array<double, 2> to = slope();
+      for (std::size_t d = 0; d < 2; ++d) {
+        slope_way[d] = (to[d] - stance.slope[d]) / length;
+      }
+    }
+    if (data.fastest_turn > 0 && !rests && random.between(0, 1) < posing_piece_share) {
+      turn = sample_step * data.fastest_turn * random.between(-1, 1);
+    }
+  };
   for (int touch = 0; samples.size() < count; ++touch) {
     base::check_interrupt();
     contact.set_friction(std::lerp(data.lowest_friction, data.highest_friction,
                                    static_cast<double>(touch % frictions) / (frictions - 1)));
     for (std::size_t d = 0; d < 2; ++d) {
       at[d] = random.between(low[d], high[d]);
+    }
+    pose(true, 1);
+    if (data.steepest > 0) {
+      stance.slope = slope();
     }
     press(at, 0);
     double now = load();
@@ -70,6 +111,7 @@ std::vector<std::vector<double>> contact_samples(const SkinData& data, const Tou
         const double angle = random.between(0, 2 * std::numbers::pi);
         direction = {std::cos(angle), std::sin(angle)};
       }
+      pose(rests, length);
       const double way = rests ? 0 : sample_step * range.fastest * random.between(slowest_share, 1);
       now = random.between(0, 1) < same_load_share ? now : load();
       for (double i = 1; i <= length; ++i) {

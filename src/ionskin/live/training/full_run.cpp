@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/live/training/full_run.hpp"
 
+#include "ionskin/case/slider_motion.hpp"
 #include "ionskin/electrochemistry/coupling/driving_channel.hpp"
 #include "ionskin/electrochemistry/equations/space_charge.hpp"
 #include "ionskin/electrochemistry/equations/wall_potential.hpp"
@@ -45,6 +46,9 @@ FullRun full_run(const Case& input, const Motion& motion,
                  const std::optional<mesh::Footprint>& footprint, const TrainingOptions& options) {
   FullRun run{input, {mesh::SkinMesh(input)}, {}, {}};
   run.input.motion = motion;
+  if (motion.waypoints.front().yaw) {
+    settle_pose(run.input);
+  }
   run.input.output.fields.clear();
   base::Timers timers;
   mechanics::ContactOptions contact_options;

@@ -7,6 +7,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <optional>
+#include <utility>
 
 namespace ionskin::live {
 namespace {
@@ -23,6 +26,8 @@ constexpr double rest_share = 0.25;        // of the pieces
 constexpr double turning_back_share = 0.3; // of the strokes behind another
 constexpr double shortest_rest = 0.1, longest_rest = 0.5; // [s]
 constexpr double shortest_reversal = 0.2; // of the way back to where the stroke before began
+constexpr double posing_share = 0.5, in_place_share = 0.3; // of the strokes that tilt, or turn
+constexpr double tilting = 0.1;                            // to a side [s]
 constexpr int fewest_pieces = 2, most_pieces = 4;
 
 class Path {
@@ -42,12 +47,19 @@ public:
     }
   }
   Motion motion;
+  shapes::Pose pose; ///< of what is added from now on
 
 private:
   /// Whole milliseconds: a corner between two steps of a loop would be another path for the loop.
   void add(double wait, const std::array<double, 2>& place) {
     time_ += motion.waypoints.empty() ? 0 : std::ceil(milliseconds * wait);
     motion.waypoints.push_back({time_ / milliseconds, place, {}, {}, 0});
+    if (range_.poses()) {
+      Waypoint& row = motion.waypoints.back();
+      row.roll = pose.roll;
+      row.pitch = pose.pitch;
+      row.yaw = pose.yaw;
+    }
   }
   const TouchRange& range_;
   double time_ = 0; ///< [ms]
@@ -113,6 +125,14 @@ Motion with_rows_behind_corners(const Motion& motion) {
         for (std::size_t d = 0; d < 2; ++d) {
           between.position[d] = from.position[d] + weight * (to.position[d] - from.position[d]);
         }
+        const auto turn = [&](std::optional<double> Waypoint::*angle) {
+          if (to.*angle) {
+            between.*angle = *(from.*angle) + weight * (*(to.*angle) - *(from.*angle));
+          }
+        };
+        turn(&Waypoint::roll);
+        turn(&Waypoint::pitch);
+        turn(&Waypoint::yaw);
         if (forces) {
           between.force = *from.force + weight * (*to.force - *from.force);
         } else {
@@ -139,6 +159,21 @@ Motion random_touches(const TouchRange& range, std::size_t count, std::uint64_t 
     const double way = std::hypot(b[0] - a[0], b[1] - a[1]);
     return std::max(0.05, way / (range.fastest * random.between(least_speed, 1)));
   };
+  const auto tilt = [&] {
+    const double share = range.steepest * std::sqrt(random.between(0, 1)),
+                 towards = random.between(0, 2 * std::numbers::pi);
+    path.pose.roll = share * std::cos(towards);
+    path.pose.pitch = share * std::sin(towards);
+  };
+  // A stroke that takes so long may end in another pose; none is drawn that is not trained.
+  const auto pose = [&](double duration) {
+    if (range.steepest > 0 && random.between(0, 1) < posing_share) {
+      tilt();
+    }
+    if (range.fastest_turn > 0 && random.between(0, 1) < posing_share) {
+      path.pose.yaw += range.fastest_turn * duration * random.between(-1, 1);
+    }
+  };
   // The path goes from corner to corner along the diagonal, which spans the range.
   path.detached(0, low);
   path.pressed(0.5, low, range.heaviest);
@@ -146,9 +181,18 @@ Motion random_touches(const TouchRange& range, std::size_t count, std::uint64_t 
   if (way > 0) {
     path.pressed(way / range.fastest, high, range.heaviest);
   }
+  if (range.steepest > 0) {
+    for (const auto& [roll, pitch] : {std::pair{1, 0}, {0, 1}, {-1, 0}, {0, -1}, {0, 0}}) {
+      path.pose = {roll * range.steepest, pitch * range.steepest, 0};
+      path.pressed(tilting, high, range.heaviest);
+    }
+  }
   path.detached(0.5, high);
   for (std::size_t touch = 1; touch < count; ++touch) {
     std::array<double, 2> at = place();
+    if (range.steepest > 0) {
+      tilt();
+    }
     path.detached(pause, at);
     double load = range.heaviest * random.between(least_load, 1);
     path.pressed(random.between(0.01, slowest_landing), at, load);
@@ -168,7 +212,12 @@ Motion random_touches(const TouchRange& range, std::size_t count, std::uint64_t 
         }
         from = at;
         load = random.between(0, 1) < 0.5 ? load : range.heaviest * random.between(least_load, 1);
-        path.pressed(wait_between(at, to), to, load);
+        if (range.poses() && piece != stroke && random.between(0, 1) < in_place_share) {
+          to = at;
+        }
+        const double wait = wait_between(at, to);
+        pose(wait);
+        path.pressed(wait, to, load);
         at = to;
       }
     }

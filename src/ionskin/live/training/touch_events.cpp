@@ -8,6 +8,7 @@ namespace ionskin::live {
 namespace {
 
 constexpr double way_of_rounding = 1e-12; // way in a millisecond that is rounding [m]
+constexpr double turn_of_rounding = 1e-9; // about z in a millisecond that is rounding [rad]
 constexpr double load_of_rounding = 1e-6; // change of the load in a millisecond, of the largest
 
 std::array<double, 2> way_between(const TouchInstant& from, const TouchInstant& to) {
@@ -16,6 +17,10 @@ std::array<double, 2> way_between(const TouchInstant& from, const TouchInstant& 
 
 bool is_motion(const std::array<double, 2>& way) {
   return std::hypot(way[0], way[1]) > way_of_rounding;
+}
+
+bool turns(const TouchInstant& from, const TouchInstant& to) {
+  return std::abs(to.angles[2] - from.angles[2]) > turn_of_rounding;
 }
 
 } // namespace
@@ -53,10 +58,11 @@ std::vector<std::uint8_t> events_of(std::span<const TouchInstant> instants) {
       add(i, event::landing);
     }
     const auto moved = way_between(before, now);
-    const bool moving = is_motion(moved);
+    const bool spins = turns(before, now), moving = is_motion(moved) || spins;
     if (moving && before.touches) {
       const auto last = i > 1 ? way_between(instants[i - 2], before) : std::array<double, 2>{};
-      if (!is_motion(last) || moved[0] * last[0] + moved[1] * last[1] < 0) {
+      const bool moved_last = is_motion(last) || (i > 1 && turns(instants[i - 2], before));
+      if (!moved_last || moved[0] * last[0] + moved[1] * last[1] < 0) {
         slips = true;
         onset = 0;
       }
@@ -65,8 +71,8 @@ std::vector<std::uint8_t> events_of(std::span<const TouchInstant> instants) {
     if (slips) {
       add(i, event::slip_onset);
     }
-    const bool rests =
-        before.touches && !moving && std::abs(now.load - before.load) <= load_of_rounding * largest;
+    const bool rests = before.touches && !moving && now.angles == before.angles &&
+                       std::abs(now.load - before.load) <= load_of_rounding * largest;
     rested = rests ? rested + 1 : 0;
     if (rested > event_length) {
       add(i, event::hold);

@@ -14,11 +14,11 @@ namespace ionskin::live {
 namespace event {
 /// The slider touches, and did not so long before.
 inline constexpr std::size_t landing = 0;
-/// The slider begins to move along the skin in contact, or turns by more than a right angle: from
-/// then until nothing of the contact sticks any more, and so long at least. Lift, rest or another
-/// onset end it.
+/// The slider begins to move along the skin in contact or to spin, or turns by more than a right
+/// angle: from then until nothing of the contact sticks any more, and so long at least. Lift, rest
+/// or another onset end it.
 inline constexpr std::size_t slip_onset = 1;
-/// The slider rests in contact under an unchanged load, and did so for so long.
+/// The slider rests in contact, in its pose, under an unchanged load, and did so for so long.
 inline constexpr std::size_t hold = 2;
 /// The slider leaves the skin in so long, or left it so long before.
 inline constexpr std::size_t lift = 3;
@@ -33,6 +33,7 @@ struct TouchInstant {
   std::array<double, 2> centre{};       ///< of the slider [m]
   double load = 0;                      ///< of the path: force [N] or height [m]
   bool touches = false, sticks = false; ///< sticks: some part of the contact does not slip
+  std::array<double, 3> angles{};       ///< roll, pitch and yaw [rad]
 };
 
 /// Events of each instant of a path, a millisecond apart, as bits by their places in the names.

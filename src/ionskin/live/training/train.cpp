@@ -3,6 +3,7 @@
 
 #include "ionskin/base/error.hpp"
 #include "ionskin/case/coupling.hpp"
+#include "ionskin/case/schema/schema_rows.hpp"
 #include "ionskin/case/slider_motion.hpp"
 #include "ionskin/circuits/circuit.hpp"
 #include "ionskin/electrochemistry/coupling/driving_channel.hpp"
@@ -12,6 +13,7 @@
 #include "ionskin/live/live_contact.hpp"
 #include "ionskin/live/reduction/channel_reduction.hpp"
 #include "ionskin/live/reduction/place_map.hpp"
+#include "ionskin/live/slope_table.hpp"
 #include "ionskin/live/training/charge_spread_fit.hpp"
 #include "ionskin/live/training/contact_samples.hpp"
 #include "ionskin/live/training/full_run.hpp"
@@ -38,6 +40,8 @@ constexpr std::size_t least_rates = 3, most_rates = 12;
 constexpr std::size_t candidate_rates = 20;
 constexpr std::size_t sampled_states = 600;   // of the contact
 constexpr std::size_t runs_over_friction = 3; // from its lowest to its highest
+constexpr double even_lowest = 1e-4;          // of the deepest of the lowest points
+constexpr double fastest_spin = 100;          // [rad/s]
 constexpr double most_friction = 2;           // as in a case
 constexpr std::uint64_t validation_seed_shift = 0x9e3779b97f4a7c15; // apart from every small seed
 
@@ -131,6 +135,47 @@ void set_charges(const std::vector<FullRun>& runs, SkinData& data) {
   }
 }
 
+bool turns_into_itself(const Slider& slider) {
+  return slider.underside()->turns_into_itself(slider.plan());
+}
+
+/// Trained poses, and how deep the lowest point of the underside lies on each slope.
+void set_pose(const Case& input, const TrainingOptions& options, SkinData& data) {
+  data.turns_into_itself = turns_into_itself(input.slider) ? 1 : 0;
+  data.fastest_turn = options.turn;
+  data.steepest = options.tilt;
+  if (options.tilt == 0) {
+    return;
+  }
+  const auto body = input.slider.underside();
+  const shapes::Plan plan = input.slider.plan();
+  const double upright = body->lowest(plan);
+  const auto lowest = [&](double x, double y) {
+    return body->lowest_on_slope(plan, {x, y}) - upright;
+  };
+  data.slopes = slope_lines(std::tan(options.tilt));
+  for (const double y : data.slopes) {
+    for (const double x : data.slopes) {
+      data.lowest.push_back(lowest(x, y));
+    }
+  }
+  const double deepest = -*std::ranges::min_element(data.lowest);
+  for (std::size_t i = 0; i + 1 < data.slopes.size(); ++i) {
+    for (std::size_t j = 0; j + 1 < data.slopes.size(); ++j) {
+      const double x = (data.slopes[i] + data.slopes[i + 1]) / 2,
+                   y = (data.slopes[j] + data.slopes[j + 1]) / 2;
+      const double missed = std::abs(at_slope(data.slopes, data.lowest, {x, y}) - lowest(x, y));
+      if (missed > even_lowest * deepest) {
+        throw UserError(fmt::format(
+            "--tilt {:g}: the lowest point of this underside jumps from place to place as it "
+            "tilts, and a live skin knows undersides alone over which it rolls\n  = take a smaller "
+            "tilt, or another slider.shape",
+            options.tilt * 180 / std::numbers::pi));
+      }
+    }
+  }
+}
+
 /// Touches at the case's friction, or parts of them at some coefficients of a range.
 std::vector<FullRun> training_runs(const Case& input, const TouchRange& range, const SkinData& data,
                                    const TrainingOptions& options) {
@@ -151,6 +196,35 @@ std::vector<FullRun> training_runs(const Case& input, const TouchRange& range, c
     footprint = runs.back().contact.mesh.footprint();
   }
   return runs;
+}
+
+} // namespace
+
+namespace {
+
+/// Refuses poses that a live skin cannot stand for.
+void check_poses(const Case& input, const TrainingOptions& options) {
+  const bool symmetry = input.skin.sides == SideCondition::symmetry;
+  if (!(options.tilt >= 0 && options.tilt <= steepest_tilt)) {
+    throw UserError(fmt::format("--tilt {:g}: must be from 0 to 5 degrees\n  = a tilt is carried "
+                                "as a slope; give a steeper face as a height map",
+                                options.tilt * 180 / std::numbers::pi));
+  }
+  if (!(options.turn >= 0 && options.turn <= fastest_spin)) {
+    throw UserError(fmt::format("--spin {:g}: must be from 0 to {:g} degrees a second",
+                                options.turn * 180 / std::numbers::pi,
+                                fastest_spin * 180 / std::numbers::pi));
+  }
+  if ((options.tilt > 0 || options.turn > 0) && symmetry) {
+    throw UserError("--tilt, --spin: between planes of symmetry a slider cannot roll or turn\n"
+                    "  = set skin.sides = \"free\"");
+  }
+  if (options.turn > 0 && !turns_into_itself(input.slider)) {
+    throw UserError("--spin: a live skin turns a slider about z alone that looks alike from all "
+                    "sides, and this one does not: its cells would have to turn with it\n"
+                    "  = take slider.shape = \"sphere\" without slider.size, or run the full "
+                    "model");
+  }
 }
 
 } // namespace
@@ -209,15 +283,19 @@ void check_trainable(const Case& input, const TrainingOptions& options) {
         "gives\n  = remove motion.drive, and give each step the place of the slider");
   }
   if (input.slider.pose != shapes::Pose{} || input.slider.changing.any()) {
-    throw UserError("slider.roll, slider.pitch, slider.yaw: a live skin knows an upright slider "
-                    "alone\n  = remove the angles, those of waypoints too");
+    throw UserError("slider.roll, slider.pitch, slider.yaw: a live skin is given the angles with "
+                    "each step\n  = remove them, those of waypoints too, and train a tilt by "
+                    "--tilt and a spin by --spin");
   }
+  check_poses(input, options);
   touch_range(input);
 }
 
 SkinData train_skin(const Case& input, const TrainingOptions& options) {
   check_trainable(input, options);
-  const TouchRange range = touch_range(input);
+  TouchRange range = touch_range(input);
+  range.steepest = options.tilt;
+  range.fastest_turn = options.turn;
   SkinData data;
   data.case_text = input.text;
   data.version = results::build_info::version;
@@ -241,6 +319,7 @@ SkinData train_skin(const Case& input, const TrainingOptions& options) {
   data.lowest_place = range.box.low;
   data.highest_place = range.box.high;
   data.fastest = range.fastest;
+  set_pose(input, options, data);
 
   TrainingOptions own = options;
   own.progress = part_of(options.progress, "training");

@@ -25,6 +25,8 @@ struct TrainingOptions {
   std::uint64_t seed = 1;                      ///< of the touches
   /// Lowest and highest coefficient of friction, in place of the case's alone.
   std::optional<std::array<double, 2>> friction;
+  double tilt = 0; ///< steepest that is trained, roll and pitch together [rad]
+  double turn = 0; ///< fastest about z that is trained [rad/s]
   int threads = 1;
   base::ProgressCallback progress = base::no_progress;
   std::string command; ///< for the record

@@ -88,13 +88,31 @@ bool has_row(const std::vector<double>& rows, double time) {
   return after != rows.begin() && *(after - 1) > time - (1 - 1e-9) / rate;
 }
 
-std::vector<std::uint8_t> events_each_step(const handover::ContactTimeline& timeline, bool by_force,
-                                           double end) {
+/// Roll, pitch and yaw of a motion at any time.
+class PathAngles {
+public:
+  explicit PathAngles(const Case& input) : legs_(motion_legs(input.motion, input.slider)) {}
+
+  Skin::Angles at(double time) const {
+    const auto after = std::ranges::upper_bound(legs_, time, {}, &MotionLeg::begin);
+    const MotionLeg& leg = after == legs_.begin() ? legs_.front() : *(after - 1);
+    const shapes::Pose pose = leg.pose(time - leg.begin);
+    return {pose.roll, pose.pitch, pose.yaw};
+  }
+
+private:
+  std::vector<MotionLeg> legs_;
+};
+
+std::vector<std::uint8_t> events_each_step(const handover::ContactTimeline& timeline,
+                                           const PathAngles& angles, bool by_force, double end) {
   std::vector<TouchInstant> instants;
   for (std::size_t step = 0; static_cast<double>(step) / rate <= end; ++step) {
-    const handover::StateCombination at = timeline.at(static_cast<double>(step) / rate);
+    const double time = static_cast<double>(step) / rate;
+    const handover::StateCombination at = timeline.at(time);
     const double force = at.normal_force();
-    instants.push_back({at.centre, by_force ? force : at.height, force > 0, at.stick_area() > 0});
+    instants.push_back(
+        {at.centre, by_force ? force : at.height, force > 0, at.stick_area() > 0, angles.at(time)});
   }
   return events_of(instants);
 }
@@ -120,12 +138,13 @@ std::vector<TouchErrors> validate(const SkinData& data, const FullRun& run) {
   std::size_t touches = 0; // that have begun
   double compared = 0;     // when charges were, last [s]
   Comparison comparison;
-  const std::vector<std::uint8_t> events = events_each_step(timeline, by_force, end);
+  const PathAngles angles(run.input);
+  const std::vector<std::uint8_t> events = events_each_step(timeline, angles, by_force, end);
   for (std::size_t step = 0; static_cast<double>(step) / rate <= end; ++step) {
     const double time = static_cast<double>(step) / rate;
     const handover::StateCombination at = timeline.at(time);
     const double force = at.normal_force();
-    skin.step(time, at.centre, by_force, by_force ? force : at.height, signals);
+    skin.step(time, at.centre, angles.at(time), by_force, by_force ? force : at.height, signals);
     if (touches < begins.size() && time >= begins[touches]) {
       if (touches++ > 0) {
         comparison.begin_touch();
