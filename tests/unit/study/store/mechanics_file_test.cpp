@@ -3,13 +3,16 @@
 
 #include "corruption.hpp"
 #include "ionskin/base/error.hpp"
+#include "ionskin/base/files/sealed_file.hpp"
 #include "ionskin/history/shear_statistics.hpp"
 #include "ionskin/results/hdf5/hdf5_file.hpp"
+#include "ionskin/study/store/mechanics_store.hpp"
 #include "scratch_folder.hpp"
 #include "synthetic_contact.hpp"
 
 #include <gtest/gtest.h>
 
+#include <fstream>
 #include <string>
 
 namespace ionskin::study {
@@ -137,6 +140,43 @@ TEST(MechanicsFile, DamageIsAnErrorOrFindsNothingWrong) {
       EXPECT_NE(std::string(error.what()).find("results.h5"), std::string::npos) << error.what();
     }
   }
+}
+
+TEST(MechanicsStore, PassesOverDamageAndSaysSo) {
+  const results::ScratchFolder folder;
+  const Case input = handover::small_case();
+  const auto record = make_mechanics_record(input, small_contact(input));
+  MechanicsStore store;
+  for (const char* name : {"missing.h5", "changed.h5", "sealed.h5", "whole.h5"}) {
+    const auto path = folder.path() / name;
+    store.add("hash", path);
+    if (path.stem() != "missing") {
+      write_mechanics(path, "hash", record);
+    }
+  }
+  const auto changed = folder.path() / "changed.h5", sealed = folder.path() / "sealed.h5",
+             whole = folder.path() / "whole.h5";
+  std::ofstream(changed, std::ios::app) << "x";
+  {
+    results::Hdf5File file(sealed, results::Hdf5File::Access::modify);
+    file.remove("/path/slip");
+  }
+  base::seal(sealed);
+
+  EXPECT_FALSE(MechanicsStore::holds(folder.path() / "missing.h5", "hash"));
+  EXPECT_FALSE(MechanicsStore::holds(changed, "hash"));
+  EXPECT_TRUE(MechanicsStore::holds(whole, "hash"));
+  EXPECT_FALSE(MechanicsStore::holds(whole, "other"));
+  EXPECT_FALSE(store.read("other", input.skin));
+  EXPECT_TRUE(store.notes().empty());
+  const auto read = store.read("hash", input.skin);
+  ASSERT_TRUE(read);
+  EXPECT_EQ(read->normal_force, record.normal_force);
+  ASSERT_EQ(store.notes().size(), 2u);
+  EXPECT_EQ(store.notes()[0], "changed.h5 was damaged: what it held is done again.");
+  EXPECT_NE(store.notes()[1].find("sealed.h5"), std::string::npos);
+  ASSERT_TRUE(store.read("hash", input.skin));
+  EXPECT_EQ(store.notes().size(), 2u); // files that failed are not asked again
 }
 
 } // namespace
