@@ -157,7 +157,7 @@ private:
     };
     const double columns =
         std::sqrt((squares(wave.odd) + squares(wave.even)) / static_cast<double>(columns_));
-    return base::larger(std::abs(mean), column_share_ * columns);
+    return base::nan_max(std::abs(mean), column_share_ * columns);
   }
 
   double difference(const Charges& a, const Charges& b) const {
@@ -202,7 +202,7 @@ private:
       Waves last = move(end, half);
       Charges whole = step(half, end - middle, between, last);
       const double size = size_of(whole.mean.charge / area_, whole.wave);
-      const double scale = base::larger(scale_, size);
+      const double scale = base::nan_max(scale_, size);
       const double error =
           scale > 0 ? difference(whole, step(charges_, end - begin, source_, last)) / scale : 0.0;
       const double share = error / control_.tolerance();
@@ -280,7 +280,7 @@ private:
     solution_.min_concentration.push_back(
         resting_ * (1.0 - lowest * per_area / scales_.area_ratio / scales_.charge_density));
     solution_.max_potential.push_back(
-        base::larger(largest * per_area / layer_, std::abs(charges_.mean.voltage)));
+        base::nan_max(largest * per_area / layer_, std::abs(charges_.mean.voltage)));
   }
 
   const IonOptions& options_;

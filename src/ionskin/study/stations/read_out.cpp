@@ -469,7 +469,7 @@ std::vector<readout::Metric> audited_metrics(const MechanicsRecord& mechanics,
   if (mechanics.has_contact()) {
     double largest = 0;
     for (const double shear : signals.resolved.column("p99_shear").values) {
-      largest = base::larger(largest, std::abs(shear));
+      largest = base::nan_max(largest, std::abs(shear));
     }
     metrics.push_back({"largest_p99_shear", largest, "1"});
   }

@@ -59,9 +59,9 @@ TEST(MechanicsFile, GivesBackWhatTheRestOfTheRunNeeds) {
   auto contact = small_contact(input);
   contact.warnings = {"a warning"};
   auto record = make_mechanics_record(input, contact);
-  const auto companion =
+  const auto coarser =
       std::make_shared<const MechanicsRecord>(make_mechanics_record(input, contact));
-  record.companions["mesh"] = companion;
+  record.coarser_solutions["mesh"] = coarser;
   EXPECT_EQ(record.worst_equilibrium_residual, 1e-12);
   EXPECT_EQ(record.electrode_stress, (std::vector<double>{3e6, 4e6}));
   ASSERT_EQ(record.normal_force.size(), record.history.time.size());
@@ -87,12 +87,12 @@ TEST(MechanicsFile, GivesBackWhatTheRestOfTheRunNeeds) {
   EXPECT_EQ(read->metrics[0].name, "contact_area_slide");
   EXPECT_EQ(read->metrics[0].value, record.metrics[0].value);
   EXPECT_EQ(read->metrics[0].unit, "m2");
-  ASSERT_EQ(read->companions.size(), 1u);
-  const MechanicsRecord& companion_read = *read->companions.at("mesh");
-  EXPECT_EQ(companion_read.normal_force, companion->normal_force);
-  EXPECT_EQ(companion_read.metrics.size(), companion->metrics.size());
-  EXPECT_EQ(companion_read.history.time, companion->history.time);
-  EXPECT_EQ(*companion_read.history.shear()[20], *companion->history.shear()[20]);
+  ASSERT_EQ(read->coarser_solutions.size(), 1u);
+  const MechanicsRecord& coarser_read = *read->coarser_solutions.at("mesh");
+  EXPECT_EQ(coarser_read.normal_force, coarser->normal_force);
+  EXPECT_EQ(coarser_read.metrics.size(), coarser->metrics.size());
+  EXPECT_EQ(coarser_read.history.time, coarser->history.time);
+  EXPECT_EQ(*coarser_read.history.shear()[20], *coarser->history.shear()[20]);
   EXPECT_EQ(read->join_time, record.join_time);
   EXPECT_EQ(read->warnings, record.warnings);
   EXPECT_EQ(read->electrode_stress, record.electrode_stress);
