@@ -66,8 +66,8 @@ public:
         scales_(derive_scales(input.electrochemistry, history.core_thickness())),
         control_(make_step_landings(history, {}),
                  step_rule(input.numerics, input.readout, scales_)),
-        drive_(input, history, driving_channel(input, history), solved().x_edges, solved().y_edges,
-               {0.0, history.core_thickness()}),
+        drive_(input, history, driving_channel(input.coupling.law, history), solved().x_edges,
+               solved().y_edges, {0.0, history.core_thickness()}),
         x_(poroelasticity::cosine_modes(solved().x_edges.size() - 1, width_of(solved().x_edges))),
         y_(poroelasticity::cosine_modes(solved().y_edges.size() - 1, width_of(solved().y_edges))),
         columns_(x_.size * y_.size), area_(input.skin.length * input.skin.width),
@@ -311,8 +311,8 @@ IonSolution solve_thin_layers(const Case& input, const history::CoreHistory& his
   return ThinLayerRun(input, history, options).run();
 }
 
-double thin_layer_error(const Case& input, double core_thickness) {
-  return 2 * derive_scales(input.electrochemistry, core_thickness).debye_length / core_thickness;
+double thin_layer_error(const Electrochemistry& electrochemistry, double core_thickness) {
+  return 2 * derive_scales(electrochemistry, core_thickness).debye_length / core_thickness;
 }
 
 } // namespace ionskin::electrochemistry

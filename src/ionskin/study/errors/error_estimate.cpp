@@ -79,7 +79,7 @@ double thin_layers(const Case& input, double core_thickness,
   }
   const double drive =
       std::accumulate(water.largest_drive.begin(), water.largest_drive.end(), 0.0, base::nan_max);
-  return electrochemistry::thin_layer_error(input, core_thickness) + drive;
+  return electrochemistry::thin_layer_error(input.electrochemistry, core_thickness) + drive;
 }
 
 /// One coarser run of Study 2.

@@ -156,7 +156,7 @@ std::optional<readout::Metric> charge_identity(const Case& input, const Mechanic
     return std::nullopt;
   }
   const history::HistoryChannel& channel =
-      electrochemistry::driving_channel(input, mechanics.history);
+      electrochemistry::driving_channel(input.coupling.law, mechanics.history);
   const double factor = electrochemistry::charge_density_of_channel(input, channel);
   std::vector<double> expected(ions.time.size()), magnitude(ions.time.size());
   parallel::run_tasks(expected.size(), threads, [&](std::size_t row) {
