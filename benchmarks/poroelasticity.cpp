@@ -33,9 +33,9 @@ double seconds_of_drive(const Case& input, const history::CoreHistory& history,
   const electrochemistry::MidWidthMirror mirror(
       electrochemistry::make_transport_grid(input, history), history);
   const auto& grid = mirror.solved_grid();
-  poroelasticity::StreamingDrive drive(input, history,
-                                       electrochemistry::driving_channel(input, history),
-                                       grid.x_edges, grid.y_edges, grid.z_nodes);
+  poroelasticity::StreamingDrive drive(
+      input, history, electrochemistry::driving_channel(input.coupling.law, history), grid.x_edges,
+      grid.y_edges, grid.z_nodes);
   drive.start(history.time.front());
   constexpr int repeats = 200;
   const double start = base::processor_time();

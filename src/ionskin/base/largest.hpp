@@ -8,7 +8,7 @@ namespace ionskin::base {
 
 /// The larger of two numbers, or NaN where one is NaN. std::max drops it, so that what has broken
 /// down passes for converged.
-constexpr double larger(double a, double b) {
+constexpr double nan_max(double a, double b) {
   return a < b || b != b ? b : a; // a comparison with NaN is false: a NaN stays
 }
 
@@ -16,7 +16,7 @@ constexpr double larger(double a, double b) {
 inline double largest_magnitude(std::span<const double> values) {
   double largest = 0;
   for (const double value : values) {
-    largest = larger(largest, std::abs(value));
+    largest = nan_max(largest, std::abs(value));
   }
   return largest;
 }

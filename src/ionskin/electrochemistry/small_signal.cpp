@@ -16,10 +16,10 @@ using Complex = std::complex<double>;
 /// Refinement of the preset `fine`.
 constexpr double refinement = 3.0;
 
-ScaledGrid column_grid(const Case& input, const DerivedScales& scales) {
-  const double thickness = input.skin.core_thickness();
-  return scale_grid({{0.0, input.skin.length},
-                     {0.0, input.skin.width},
+ScaledGrid column_grid(const Skin& skin, const DerivedScales& scales) {
+  const double thickness = skin.core_thickness();
+  return scale_grid({{0.0, skin.length},
+                     {0.0, skin.width},
                      graded_nodes(thickness, scales.debye_length,
                                   refined(grid_resolution(Preset::fine), refinement))},
                     scales.debye_length, scales.area_ratio);
@@ -54,8 +54,8 @@ std::vector<Complex> solve_tridiagonal(const std::vector<double>& lower,
 
 SmallSignalCell::SmallSignalCell(const Case& input)
     : scales_(derive_scales(input.electrochemistry, input.skin.core_thickness())),
-      grid_(column_grid(input, scales_)), diffusion_(diffusion_at_rest(input.electrochemistry)),
-      metal_(input) {}
+      grid_(column_grid(input.skin, scales_)),
+      diffusion_(diffusion_at_rest(input.electrochemistry)), metal_(input) {}
 
 std::complex<double> SmallSignalCell::area_impedance(double frequency) const {
   return metal_.area_impedance(core_impedance(frequency));

@@ -66,8 +66,8 @@ public:
         scales_(derive_scales(input.electrochemistry, history.core_thickness())),
         control_(make_step_landings(history, {}),
                  step_rule(input.numerics, input.readout, scales_)),
-        drive_(input, history, driving_channel(input, history), solved().x_edges, solved().y_edges,
-               {0.0, history.core_thickness()}),
+        drive_(input, history, driving_channel(input.coupling.law, history), solved().x_edges,
+               solved().y_edges, {0.0, history.core_thickness()}),
         x_(poroelasticity::cosine_modes(solved().x_edges.size() - 1, width_of(solved().x_edges))),
         y_(poroelasticity::cosine_modes(solved().y_edges.size() - 1, width_of(solved().y_edges))),
         columns_(x_.size * y_.size), area_(input.skin.length * input.skin.width),
@@ -157,7 +157,7 @@ private:
     };
     const double columns =
         std::sqrt((squares(wave.odd) + squares(wave.even)) / static_cast<double>(columns_));
-    return base::larger(std::abs(mean), column_share_ * columns);
+    return base::nan_max(std::abs(mean), column_share_ * columns);
   }
 
   double difference(const Charges& a, const Charges& b) const {
@@ -202,7 +202,7 @@ private:
       Waves last = move(end, half);
       Charges whole = step(half, end - middle, between, last);
       const double size = size_of(whole.mean.charge / area_, whole.wave);
-      const double scale = base::larger(scale_, size);
+      const double scale = base::nan_max(scale_, size);
       const double error =
           scale > 0 ? difference(whole, step(charges_, end - begin, source_, last)) / scale : 0.0;
       const double share = error / control_.tolerance();
@@ -280,7 +280,7 @@ private:
     solution_.min_concentration.push_back(
         resting_ * (1.0 - lowest * per_area / scales_.area_ratio / scales_.charge_density));
     solution_.max_potential.push_back(
-        base::larger(largest * per_area / layer_, std::abs(charges_.mean.voltage)));
+        base::nan_max(largest * per_area / layer_, std::abs(charges_.mean.voltage)));
   }
 
   const IonOptions& options_;
@@ -311,8 +311,8 @@ IonSolution solve_thin_layers(const Case& input, const history::CoreHistory& his
   return ThinLayerRun(input, history, options).run();
 }
 
-double thin_layer_error(const Case& input, double core_thickness) {
-  return 2 * derive_scales(input.electrochemistry, core_thickness).debye_length / core_thickness;
+double thin_layer_error(const Electrochemistry& electrochemistry, double core_thickness) {
+  return 2 * derive_scales(electrochemistry, core_thickness).debye_length / core_thickness;
 }
 
 } // namespace ionskin::electrochemistry

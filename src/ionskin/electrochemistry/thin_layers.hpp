@@ -25,6 +25,6 @@ IonSolution solve_thin_layers(const Case& input, const history::CoreHistory& his
                               const IonOptions& options);
 
 /// 2 lambda/h: what thin layers leave of a charge, relative.
-double thin_layer_error(const Case& input, double core_thickness);
+double thin_layer_error(const Electrochemistry& electrochemistry, double core_thickness);
 
 } // namespace ionskin::electrochemistry

@@ -100,7 +100,7 @@ double VectorOperations::largest_magnitude(std::span<const double> a) {
   });
   double largest = 0.0;
   for (std::size_t s = 0; s < parts; ++s) {
-    largest = base::larger(largest, partial_[s]);
+    largest = base::nan_max(largest, partial_[s]);
   }
   return largest;
 }

@@ -6,7 +6,7 @@
 #include "ionskin/case/slider_motion.hpp"
 #include "ionskin/finite_layers/fields/states_at_once.hpp"
 #include "ionskin/handover/strain_grid.hpp"
-#include "ionskin/mechanics/companions.hpp"
+#include "ionskin/mechanics/coarser_solutions.hpp"
 #include "ionskin/mechanics/engine/drive_room.hpp"
 #include "ionskin/mechanics/path/contact_box.hpp"
 #include "ionskin/mechanics/path/expected_steps.hpp"
@@ -146,14 +146,14 @@ struct GridCost {
   double history_values = 0; ///< of one instant
 };
 
-/// Coarser solutions, by the name of `mechanics::companions`, that have cells of their own.
-std::vector<const char*> companions_of(const Case& input) {
-  namespace names = mechanics::companions;
+/// Coarser solutions, by the name of `mechanics::coarser_solutions`, that have cells of their own.
+std::vector<const char*> coarser_names(const Case& input) {
+  namespace names = mechanics::coarser_solutions;
   if (!input.numerics.error_estimate) {
     return {};
   }
-  return mechanics::needs_thickness_companion(input) ? std::vector{names::mesh, names::thickness}
-                                                     : std::vector{names::mesh};
+  return mechanics::needs_coarser_thickness(input) ? std::vector{names::mesh, names::thickness}
+                                                   : std::vector{names::mesh};
 }
 
 } // namespace
@@ -170,18 +170,18 @@ MechanicsCost estimate_mechanics_cost(const Case& input, int threads,
   double sought = 0, path = own.path_seconds(steps), strain = own.strain_seconds(steps);
   double beside = 0,
          path_beside = 0; // of the coarser solutions, which a thread of their own solves
-  for (const char* name : companions_of(input)) {
-    const Case of_companion = mechanics::companion_case(input, name);
+  for (const char* name : coarser_names(input)) {
+    const Case coarser_input = mechanics::coarser_case(input, name);
     try {
-      const GridCost companion(of_companion, {of_companion, mesh.footprint()});
+      const GridCost coarser(coarser_input, {coarser_input, mesh.footprint()});
       // `path` steps over the same cells, half as finely.
-      const double paths = name == std::string_view(mechanics::companions::mesh) ? 1.5 : 1;
-      beside += companion.skin_seconds();
-      path_beside += paths * companion.path_seconds(steps);
-      strain += paths * companion.strain_seconds(steps);
-      cost.histories += paths * companion.history_memory(steps);
+      const double paths = name == std::string_view(mechanics::coarser_solutions::mesh) ? 1.5 : 1;
+      beside += coarser.skin_seconds();
+      path_beside += paths * coarser.path_seconds(steps);
+      strain += paths * coarser.strain_seconds(steps);
+      cost.histories += paths * coarser.history_memory(steps);
       if (!input.slider.sharp()) {
-        sought += searched_grids * companion.skin_seconds();
+        sought += searched_grids * coarser.skin_seconds();
       }
     } catch (const UserError&) { // its cells do not fit beside the slider: a run goes without
     }

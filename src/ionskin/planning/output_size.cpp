@@ -11,11 +11,12 @@ namespace ionskin::planning {
 namespace {
 
 // Measured on cases/paper.toml, finger.toml and paper/coarse.toml.
-constexpr double field_bytes = 17.5;  // by unknown and instant, compressed
-constexpr double history_bytes = 1.0; // by unknown and time step: strain of the run and companions
-constexpr double signal_row = 700;    // of signals.csv and the like, errors included
-constexpr double reading_row = 200;   // of sampled.csv
-constexpr double taxel_row = 80;      // by taxel, in either
+constexpr double field_bytes = 17.5; // by unknown and instant, compressed
+constexpr double history_bytes =
+    1.0; // by unknown and time step: strain of the run and coarser solutions
+constexpr double signal_row = 700;  // of signals.csv and the like, errors included
+constexpr double reading_row = 200; // of sampled.csv
+constexpr double taxel_row = 80;    // by taxel, in either
 
 constexpr double worth_telling = 1e9;
 

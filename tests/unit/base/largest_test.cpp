@@ -12,11 +12,11 @@ namespace {
 
 TEST(Larger, KeepsNaNOnEitherSide) {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(larger(1, 2), 2);
-  EXPECT_EQ(larger(2, 1), 2);
-  EXPECT_TRUE(std::isnan(larger(nan, 1)));
-  EXPECT_TRUE(std::isnan(larger(1, nan)));
-  EXPECT_TRUE(std::isnan(larger(larger(nan, 1), 5)));
+  EXPECT_EQ(nan_max(1, 2), 2);
+  EXPECT_EQ(nan_max(2, 1), 2);
+  EXPECT_TRUE(std::isnan(nan_max(nan, 1)));
+  EXPECT_TRUE(std::isnan(nan_max(1, nan)));
+  EXPECT_TRUE(std::isnan(nan_max(nan_max(nan, 1), 5)));
 }
 
 TEST(LargestMagnitude, IsOfEitherSignAndKeepsNaN) {

@@ -26,7 +26,7 @@ TEST(MechanicsCost, CountsTheCellsBelowTheSlider) {
   EXPECT_EQ(told.contact_cells, mechanics::contact_cells(mesh).count());
 }
 
-TEST(MechanicsCost, OfErrorsIsThatOfTheCompanions) {
+TEST(MechanicsCost, OfErrorsIsThatOfTheCoarserSolutions) {
   const MechanicsCost with = cost({}), without = cost({"numerics.error_estimate=off"});
   EXPECT_GT(with.seconds, 1.2 * without.seconds);
   EXPECT_LT(with.seconds, 2.5 * without.seconds);
@@ -42,7 +42,7 @@ TEST(MechanicsCost, OfAnotherFrictionIsThatOfThePathAlone) {
   EXPECT_NEAR(cost({}, 2).further_seconds, one.further_seconds / 2, 1e-9);
 }
 
-TEST(MechanicsCost, OfTwoThreadsIsLessAsCompanionsAreSolvedBeside) {
+TEST(MechanicsCost, OfTwoThreadsIsLessAsCoarserSolutionsAreSolvedBeside) {
   const double one = cost({}).seconds, two = cost({}, 2).seconds;
   EXPECT_GE(two, one / 2);
   EXPECT_LT(two, 0.8 * one);

@@ -32,14 +32,14 @@ std::vector<std::string> channels_for(const laws::CouplingLaw& law) {
   return {history::channel_name::shear};
 }
 
-const history::HistoryChannel& driving_channel(const Case& input,
+const history::HistoryChannel& driving_channel(const std::string& law,
                                                const history::CoreHistory& history) {
-  for (const std::string& candidate : channels_for(laws::coupling_law(input.coupling.law))) {
+  for (const std::string& candidate : channels_for(laws::coupling_law(law))) {
     if (const history::HistoryChannel* found = history.find(candidate)) {
       return *found;
     }
   }
-  throw InternalError("the history has no channel for the law " + input.coupling.law);
+  throw InternalError("the history has no channel for the law " + law);
 }
 
 double charge_density_of_channel(const Case& input, const history::HistoryChannel& channel) {

@@ -13,9 +13,9 @@ namespace ionskin::electrochemistry {
 /// Channels that can drive a law, the first that a history has does.
 std::vector<std::string> channels_for(const laws::CouplingLaw& law);
 
-/// The channel of a history that drives the coupling law of a case. Throws InternalError where it
-/// has none.
-const history::HistoryChannel& driving_channel(const Case& input,
+/// The channel of a history that drives a coupling law, given by its name. Throws InternalError
+/// where it has none.
+const history::HistoryChannel& driving_channel(const std::string& law,
                                                const history::CoreHistory& history);
 
 /// Charge that a unit of the channel moves or makes per volume, to first order

@@ -44,8 +44,8 @@ FixedCharge::FixedCharge(const Case& input, const history::CoreHistory& history,
     largest_coupling_ = std::abs(coupling_.coefficient) * largest_magnitude(*shear);
   }
   if (traits_.moves_water) {
-    water_.emplace(input, history, driving_channel(input, history), grid.x_edges, grid.y_edges,
-                   grid.z_nodes);
+    water_.emplace(input, history, driving_channel(input.coupling.law, history), grid.x_edges,
+                   grid.y_edges, grid.z_nodes);
     largest_coupling_ = water_->largest();
   }
 }

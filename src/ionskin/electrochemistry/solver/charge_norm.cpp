@@ -28,9 +28,9 @@ double ChargeNorm::of_change(const std::array<std::vector<double>, 2>& charges,
     differences += difference * difference;
     sums += sum * sum;
   }
-  return base::larger(std::abs(mean) / count,
-                      base::larger(column_share * std::sqrt(differences / count),
-                                   0.2 * column_share * std::sqrt(sums / count)));
+  return base::nan_max(std::abs(mean) / count,
+                       base::nan_max(column_share * std::sqrt(differences / count),
+                                     0.2 * column_share * std::sqrt(sums / count)));
 }
 
 double ChargeNorm::of_state(const IonState& state, std::span<const double> fixed_charge) const {
@@ -50,9 +50,9 @@ double ChargeNorm::of_state(const IonState& state, std::span<const double> fixed
     voltage += top_wall[i] - state.potential()[i];
   }
   const double polarisation = mean - voltage / (columns * grid_.thickness);
-  return base::larger(
-      base::larger(std::abs(mean), std::abs(polarisation)),
-      base::larger(0.1 * std::sqrt(difference / columns), 0.01 * std::sqrt(all / columns)));
+  return base::nan_max(
+      base::nan_max(std::abs(mean), std::abs(polarisation)),
+      base::nan_max(0.1 * std::sqrt(difference / columns), 0.01 * std::sqrt(all / columns)));
 }
 
 } // namespace ionskin::electrochemistry

@@ -60,8 +60,8 @@ double NewtonKrylov::precondition_residual(const StageProblem& problem, const Io
 }
 
 double NewtonKrylov::allowed_error(const StageProblem& problem, const IonState& state) {
-  double scale = base::larger(
-      base::larger(std::abs(problem.potential_bottom), std::abs(problem.potential_top)),
+  double scale = base::nan_max(
+      base::nan_max(std::abs(problem.potential_bottom), std::abs(problem.potential_top)),
       vectors_.largest_magnitude(state.potential()));
   const double* fixed_charge = problem.fixed_charge.data();
 #pragma omp simd reduction(max : scale)

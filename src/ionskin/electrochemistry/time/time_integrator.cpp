@@ -106,7 +106,7 @@ std::vector<double> TimeIntegrator::net_charges() const {
 double TimeIntegrator::largest_of_conductors(const std::vector<double>& charges) const {
   double largest = 0.0;
   for (std::size_t e = 0; e < charges.size(); ++e) {
-    largest = base::larger(largest, std::abs(charges[e]) / area(e));
+    largest = base::nan_max(largest, std::abs(charges[e]) / area(e));
   }
   return largest;
 }
@@ -360,9 +360,9 @@ double TimeIntegrator::charge_error(const TransportState& state, double column_s
                                                                 length_ * error_of_end))
               : solver_.damped_sums(start_, charge_norm_.weights());
   const double moved =
-      base::larger(base::larger(charge_norm_.of_change(charges, column_share), std::abs(passed)),
-                   column_share * passed_by_conductors);
-  const double error = base::larger(0.0, moved - rounding * grid_.thickness);
+      base::nan_max(base::nan_max(charge_norm_.of_change(charges, column_share), std::abs(passed)),
+                    column_share * passed_by_conductors);
+  const double error = base::nan_max(0.0, moved - rounding * grid_.thickness);
   const double scale =
       std::max(state.charge_scale, charge_norm_.of_state(end_, fixed_charge_.ratio()));
   return error == 0.0 ? 0.0 : error / scale;

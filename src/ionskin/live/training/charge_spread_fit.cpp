@@ -55,7 +55,7 @@ public:
       : run_(run), x_(column_waves(map.columns_x)), y_(column_waves(map.columns_y)),
         rate_(Matrix::Zero(y_.rows(), x_.rows())), taken_(rate_),
         projection_(
-            run.history, electrochemistry::driving_channel(run.input, run.history),
+            run.history, electrochemistry::driving_channel(run.input.coupling.law, run.history),
             run.ions.grid.x_edges, run.ions.grid.y_edges,
             history::linear_interpolation(run.history.grid.z_nodes, run.history.grid.z_nodes)),
         levels_(run.history.grid.z_nodes.size()) {

@@ -76,9 +76,9 @@ std::vector<ChargeRecord> charge_records(const FullRun& run, bool of_taxels) {
   const auto x = region_lines(taxels, 0, input.skin.length),
              y = region_lines(taxels, 1, input.skin.width);
   const auto& z = run.history.grid.z_nodes;
-  const history::StrainProjection projection(run.history,
-                                             electrochemistry::driving_channel(input, run.history),
-                                             x, y, history::linear_interpolation(z, z));
+  const history::StrainProjection projection(
+      run.history, electrochemistry::driving_channel(input.coupling.law, run.history), x, y,
+      history::linear_interpolation(z, z));
   std::vector<ChargeRecord> records(of_taxels ? taxels.size() : 1);
   const std::size_t levels = z.size(), inputs = drive_inputs(run, of_taxels);
   for (std::size_t i = 0; i < records.size(); ++i) {

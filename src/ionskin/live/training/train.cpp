@@ -332,7 +332,8 @@ SkinData train_skin(const Case& input, const TrainingOptions& options) {
     const PlaceNodes places = place_nodes(run.input.skin, range.box);
     std::vector<std::string> channels{history::channel_name::shear};
     if (moves_water(input)) {
-      channels.emplace_back(electrochemistry::driving_channel(run.input, run.history).name);
+      channels.emplace_back(
+          electrochemistry::driving_channel(run.input.coupling.law, run.history).name);
     }
     set_contact(runs, *model, places, data);
     set_charges(runs, data);

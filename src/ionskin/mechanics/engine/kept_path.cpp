@@ -36,10 +36,10 @@ void KeptPath::add(const StepPoint& point, const SlidingContact& contact) {
     instant.state->slip = total_slip_;
     instant.area = instant.state->contact_area;
     instant.stick_share = instant.area > 0 ? instant.state->stick_area / instant.area : 0;
-    solution_.worst_complementarity_residual = base::larger(
+    solution_.worst_complementarity_residual = base::nan_max(
         solution_.worst_complementarity_residual, instant.state->complementarity_residual);
   } else if (const double depth = unresisted_depth(point, contact); depth > 0) {
-    solution_.worst_complementarity_residual = base::larger(
+    solution_.worst_complementarity_residual = base::nan_max(
         solution_.worst_complementarity_residual, depth / std::max(depth, largest_indentation_));
   }
   last_time_ = point.time;

@@ -38,9 +38,9 @@ void SteppedStrains::recover(std::size_t first) {
   held_.clear();
   for (std::vector<RecoveredStrain>& some : recovered) {
     for (RecoveredStrain& one : some) {
-      residual_ = base::larger(residual_, one.equilibrium_residual);
+      residual_ = base::nan_max(residual_, one.equilibrium_residual);
       stress_.resize(std::max(stress_.size(), one.electrode_stress.size()));
-      std::ranges::transform(one.electrode_stress, stress_, stress_.begin(), base::larger);
+      std::ranges::transform(one.electrode_stress, stress_, stress_.begin(), base::nan_max);
       held_.push_back(std::move(one.core));
     }
   }

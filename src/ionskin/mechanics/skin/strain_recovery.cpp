@@ -93,7 +93,7 @@ std::vector<double> largest_stresses(const SkinModel& model,
       for (std::size_t c = 0; c < strain.size(); ++c) {
         strain[c] = electrodes.component[c][column + columns * result.size()];
       }
-      largest = base::larger(largest, von_mises_stress(layers[layer], strain));
+      largest = base::nan_max(largest, von_mises_stress(layers[layer], strain));
     }
     result.push_back(largest);
   }
@@ -115,7 +115,7 @@ double equilibrium_residual(const CellVector& forces, bool half, bool held_acros
       continue;
     }
     for (const auto& level : through_levels) {
-      difference = base::larger(difference, std::abs(level[c] - sum[c]));
+      difference = base::nan_max(difference, std::abs(level[c] - sum[c]));
     }
   }
   return difference > 0 ? difference / largest : 0;

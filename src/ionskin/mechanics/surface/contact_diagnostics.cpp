@@ -18,7 +18,7 @@ double share(double part, double whole) {
 } // namespace
 
 double ContactViolations::largest() const {
-  return base::larger(base::larger(tension, penetration), base::larger(cone, slip_law));
+  return base::nan_max(base::nan_max(tension, penetration), base::nan_max(cone, slip_law));
 }
 
 ContactViolations contact_violations(const ContactProblem& problem, const SurfaceState& state,
@@ -35,19 +35,19 @@ ContactViolations contact_violations(const ContactProblem& problem, const Surfac
     const bool adheres = problem.friction.adhesion.pulls();
     const bool touches = adheres ? held.normal_by_trial == 1 : normal > 0;
     const double pull = adheres ? std::abs(normal - held.normal) : -normal;
-    worst.tension = base::larger(worst.tension, share(pull, reference_force));
+    worst.tension = base::nan_max(worst.tension, share(pull, reference_force));
     const double gap = share(opening, preload);
-    worst.penetration = base::larger(worst.penetration, touches ? std::abs(gap) : -gap);
+    worst.penetration = base::nan_max(worst.penetration, touches ? std::abs(gap) : -gap);
 
     const auto slip = slip_increment(step, state.surface, cell);
     const double limit = problem.friction_limit_behind(cell, normal, slip, step);
     const std::array<double, 2> force{state.force[at + 1], state.force[at + 2]};
-    worst.cone = base::larger(
+    worst.cone = base::nan_max(
         worst.cone, share(laws::limit_norm(problem.friction, force) - limit, reference_force));
     const auto allowed = laws::cell_friction(problem.friction, trial, normal).traction;
-    worst.slip_law =
-        base::larger(worst.slip_law, share(std::hypot(force[0] - allowed[0], force[1] - allowed[1]),
-                                           reference_force));
+    worst.slip_law = base::nan_max(
+        worst.slip_law,
+        share(std::hypot(force[0] - allowed[0], force[1] - allowed[1]), reference_force));
   }
   return worst;
 }

@@ -25,9 +25,9 @@ Standing::Standing(const ContactProblem& problem, const SliderStep& step, const 
     response.push_back(laws::cell_response(problem.friction, trial.back()));
     const CellResponse& now = response.back();
     status.push_back(now.status);
-    residual = base::larger(residual, std::abs(force[0] - now.normal));
+    residual = base::nan_max(residual, std::abs(force[0] - now.normal));
     for (std::size_t c = 0; c < 2; ++c) {
-      residual = base::larger(residual, std::abs(force[1 + c] - now.tangential.traction[c]));
+      residual = base::nan_max(residual, std::abs(force[1 + c] - now.tangential.traction[c]));
     }
     largest_force = std::max(largest_force, std::abs(force[0]));
     if (now.status != CellStatus::separated) {

@@ -10,7 +10,7 @@
 #include "ionskin/electrochemistry/thin_layers.hpp"
 #include "ionskin/history/merged_cells.hpp"
 #include "ionskin/history/shear_statistics.hpp"
-#include "ionskin/mechanics/companions.hpp"
+#include "ionskin/mechanics/coarser_solutions.hpp"
 #include "ionskin/parallel/shared_progress.hpp"
 #include "ionskin/parallel/task_pool.hpp"
 #include "ionskin/poroelasticity/validity.hpp"
@@ -42,13 +42,13 @@ constexpr const char* cells_run = "cells"; ///< as reference_run, shear on cells
 MechanicsRecord on_wider_cells(const MechanicsRecord& mechanics) {
   MechanicsRecord result = mechanics;
   result.maps = {};
-  result.companions.clear();
+  result.coarser_solutions.clear();
   result.history = history::merge_cells(mechanics.history);
   return result;
 }
 
-bool has_companions(const MechanicsRecord& mechanics) {
-  return mechanics.companions.contains(mechanics::companions::mesh);
+bool has_coarser_solutions(const MechanicsRecord& mechanics) {
+  return mechanics.coarser_solutions.contains(mechanics::coarser_solutions::mesh);
 }
 
 double path_floor(const MechanicsRecord& mechanics) {
@@ -78,8 +78,8 @@ double thin_layers(const Case& input, double core_thickness,
     return 0.0;
   }
   const double drive =
-      std::accumulate(water.largest_drive.begin(), water.largest_drive.end(), 0.0, base::larger);
-  return electrochemistry::thin_layer_error(input, core_thickness) + drive;
+      std::accumulate(water.largest_drive.begin(), water.largest_drive.end(), 0.0, base::nan_max);
+  return electrochemistry::thin_layer_error(input.electrochemistry, core_thickness) + drive;
 }
 
 /// One coarser run of Study 2.
@@ -127,8 +127,8 @@ struct CoarserRuns {
     if (mechanics.has_contact()) {
       wider = on_wider_cells(mechanics);
       runs.push_back({cells_run, &wider});
-      for (const auto& [name, companion] : mechanics.companions) {
-        runs.push_back({name, companion.get()});
+      for (const auto& [name, coarser] : mechanics.coarser_solutions) {
+        runs.push_back({name, coarser.get()});
       }
     }
   }
@@ -173,12 +173,12 @@ std::vector<NamedPair> mechanics_pairs(const MechanicsRecord& mechanics) {
     return {};
   }
   std::vector<NamedPair> pairs{
-      {parts::mechanics_mesh, reference_run, mechanics::companions::mesh},
-      {parts::path, mechanics::companions::mesh, mechanics::companions::path},
+      {parts::mechanics_mesh, reference_run, mechanics::coarser_solutions::mesh},
+      {parts::path, mechanics::coarser_solutions::mesh, mechanics::coarser_solutions::path},
       {parts::handover, reference_run, cells_run}};
-  if (mechanics.companions.contains(mechanics::companions::thickness)) {
-    pairs.push_back(
-        {parts::mechanics_mesh, mechanics::companions::thickness, mechanics::companions::mesh});
+  if (mechanics.coarser_solutions.contains(mechanics::coarser_solutions::thickness)) {
+    pairs.push_back({parts::mechanics_mesh, mechanics::coarser_solutions::thickness,
+                     mechanics::coarser_solutions::mesh});
   }
   return pairs;
 }
@@ -201,7 +201,7 @@ std::vector<ErrorPair> pairs_of(const std::vector<NamedPair>& names,
 }
 
 /// Nothing is stated rather than a part for the whole.
-constexpr const char* no_companions = "Study 1 has no solution on a coarser mesh";
+constexpr const char* no_coarser_solutions = "Study 1 has no solution on a coarser mesh";
 
 } // namespace
 
@@ -218,8 +218,8 @@ ErrorEstimate estimate_errors(const Case& input, const MechanicsRecord& mechanic
                               int threads, base::Timers& timers,
                               const base::ProgressCallback& progress) {
   const base::Timers::Scope timer(timers, "error estimate");
-  if (mechanics.has_contact() && !has_companions(mechanics)) {
-    return no_estimate(signals, no_companions);
+  if (mechanics.has_contact() && !has_coarser_solutions(mechanics)) {
+    return no_estimate(signals, no_coarser_solutions);
   }
   const Case quiet = without_noise(input);
   const CoarserRuns coarser(mechanics);
@@ -252,7 +252,7 @@ ErrorEstimate estimate_errors(const Case& input, const MechanicsRecord& mechanic
 std::vector<double> estimate_data_errors(const Case& input, const MechanicsRecord& mechanics,
                                          const electrochemistry::IonSolution& ions,
                                          const FitData& data, int threads) {
-  if (mechanics.has_contact() && !has_companions(mechanics)) {
+  if (mechanics.has_contact() && !has_coarser_solutions(mechanics)) {
     return {};
   }
   const CoarserRuns coarser(mechanics);
@@ -283,14 +283,14 @@ std::vector<double> estimate_data_errors(const Case& input, const MechanicsRecor
 
 ErrorEstimate estimate_mechanics_errors(const Case& input, const MechanicsRecord& mechanics,
                                         const Signals& signals, int threads) {
-  if (!has_companions(mechanics)) {
-    return no_estimate(signals, no_companions);
+  if (!has_coarser_solutions(mechanics)) {
+    return no_estimate(signals, no_coarser_solutions);
   }
   std::map<std::string, Signals> results{
       {reference_run, signals},
       {cells_run, read_out_mechanics(input, on_wider_cells(mechanics), threads)}};
-  for (const auto& [name, companion] : mechanics.companions) {
-    results.emplace(name, read_out_mechanics(input, *companion, threads));
+  for (const auto& [name, coarser] : mechanics.coarser_solutions) {
+    results.emplace(name, read_out_mechanics(input, *coarser, threads));
   }
   ErrorEstimate estimate = combine_errors(signals, pairs_of(mechanics_pairs(mechanics), results),
                                           {.path = path_floor(mechanics),

@@ -194,7 +194,7 @@ std::vector<double> FitModel::errors(const FitData& data, const std::vector<doub
   if (mechanics.has_contact()) {
     mechanics::ContactOptions contact_options;
     contact_options.threads = options_.threads;
-    add_companions(input, contact_options, mechanics);
+    add_coarser_solutions(input, contact_options, mechanics);
   }
   const DataAdjustment adjustment = adjustment_at(point);
   auto errors = estimate_data_errors(input, mechanics, solve(point, options_.threads),

@@ -28,6 +28,7 @@
 #include "ionskin/study/store/checkpoint_file.hpp"
 #include "ionskin/study/store/mechanics_file.hpp"
 #include "ionskin/study/store/mechanics_record.hpp"
+#include "ionskin/study/store/mechanics_store.hpp"
 #include "ionskin/study/store/skin_snapshots.hpp"
 
 #include <fmt/format.h>
@@ -66,20 +67,17 @@ MechanicsRecord record_of(GivenStrain given) {
   return record;
 }
 
-/// Record of Study 1 that an earlier run left in its folder; damage that its seal does not tell, as
-/// of a write that failed unnoticed, is solved again.
+/// Record of Study 1 that an earlier run left in its folder.
 std::optional<MechanicsRecord> left_mechanics(const Case& input, const std::string& hash,
                                               const std::filesystem::path& path,
                                               RunFolder& folder) {
-  if (!folder.holds(results::file_names::results)) {
-    return std::nullopt;
+  MechanicsStore store;
+  store.add(hash, path);
+  auto record = store.read(hash, input.skin);
+  for (const std::string& note : store.notes()) {
+    folder.note(note);
   }
-  try {
-    return read_mechanics(path, hash, input.skin);
-  } catch (const UserError& error) {
-    folder.note(std::string("The mechanics is solved again: ") + error.what());
-    return std::nullopt;
-  }
+  return record;
 }
 
 /// For ParaView, while the strains can be recovered.

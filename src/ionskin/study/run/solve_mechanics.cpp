@@ -3,7 +3,7 @@
 
 #include "ionskin/base/error.hpp"
 #include "ionskin/base/system/free_memory.hpp"
-#include "ionskin/mechanics/companions.hpp"
+#include "ionskin/mechanics/coarser_solutions.hpp"
 #include "ionskin/mechanics/path/find_footprint.hpp"
 #include "ionskin/parallel/shared_progress.hpp"
 #include "ionskin/parallel/task_pool.hpp"
@@ -19,9 +19,9 @@
 namespace ionskin::study {
 namespace {
 
-constexpr std::string_view companion_activity = "mechanics on a coarser mesh";
+constexpr std::string_view coarser_activity = "mechanics on a coarser mesh";
 
-using Companions = std::map<std::string, std::shared_ptr<const MechanicsRecord>>;
+using CoarserSolutions = std::map<std::string, std::shared_ptr<const MechanicsRecord>>;
 
 mechanics::PathSteps halved(mechanics::PathSteps steps) {
   steps.touchdown = std::max(1, steps.touchdown / 2);
@@ -37,34 +37,34 @@ mechanics::PathSteps halved(mechanics::PathSteps steps) {
 /// @param first,share of the progress on coarser meshes
 void add_pass(const Case& input, const std::vector<std::string>& names,
               const std::vector<double>& frictions, const mechanics::ContactOptions& options,
-              double first, double share, std::vector<Companions>& result) {
+              double first, double share, std::vector<CoarserSolutions>& result) {
   constexpr double solved = 0.9; // of the pass
   std::vector<mechanics::ContactVariant> variants;
   for (const double friction : frictions) {
     for (const std::string& name : names) {
-      variants.push_back(
-          {friction, name == mechanics::companions::path ? halved(options.steps) : options.steps});
+      variants.push_back({friction, name == mechanics::coarser_solutions::path
+                                        ? halved(options.steps)
+                                        : options.steps});
     }
   }
   mechanics::ContactOptions own = options;
   own.unfinished = nullptr; // what a coarser mesh left is nobody's result
   own.progress = [&](std::string_view activity, double fraction) {
-    activity == "mechanics"
-        ? options.progress(companion_activity, first + solved * share * fraction)
-        : options.progress(activity, fraction);
+    activity == "mechanics" ? options.progress(coarser_activity, first + solved * share * fraction)
+                            : options.progress(activity, fraction);
   };
   base::Timers parts; // of the coarser solutions, which count as one stage
-  auto solutions = mechanics::solve_variants(mechanics::companion_case(input, names.front()),
+  auto solutions = mechanics::solve_variants(mechanics::coarser_case(input, names.front()),
                                              variants, own, parts);
   const auto recording =
       base::share_of(options.progress, first + solved * share, (1 - solved) * share);
-  parallel::SharedProgress progress(std::string(companion_activity), recording);
+  parallel::SharedProgress progress(std::string(coarser_activity), recording);
   progress.add_units(solutions.size());
   std::vector<std::shared_ptr<const MechanicsRecord>> records(solutions.size());
   parallel::run_tasks(solutions.size(), options.threads, [&](std::size_t i) {
     const auto contact = std::make_unique<mechanics::ContactSolution>(std::move(solutions[i]));
     MechanicsRecord record =
-        make_mechanics_record(mechanics::companion_case(input, names[i % names.size()]), *contact);
+        make_mechanics_record(mechanics::coarser_case(input, names[i % names.size()]), *contact);
     record.maps = {};
     records[i] = std::make_shared<const MechanicsRecord>(std::move(record));
     progress.finish_unit();
@@ -76,11 +76,11 @@ void add_pass(const Case& input, const std::vector<std::string>& names,
 }
 
 /// One entry per friction coefficient.
-std::vector<Companions> solve_companions(const Case& input, const std::vector<double>& frictions,
-                                         const mechanics::ContactOptions& options) {
-  namespace names = mechanics::companions;
-  std::vector<Companions> result(frictions.size());
-  const double share = mechanics::needs_thickness_companion(input) ? 0.5 : 1;
+std::vector<CoarserSolutions> solve_coarser(const Case& input, const std::vector<double>& frictions,
+                                            const mechanics::ContactOptions& options) {
+  namespace names = mechanics::coarser_solutions;
+  std::vector<CoarserSolutions> result(frictions.size());
+  const double share = mechanics::needs_coarser_thickness(input) ? 0.5 : 1;
   add_pass(input, {names::mesh, names::path}, frictions, options, 0, share, result);
   if (share < 1) {
     add_pass(input, {names::thickness}, frictions, options, share, 1 - share, result);
@@ -89,11 +89,11 @@ std::vector<Companions> solve_companions(const Case& input, const std::vector<do
 }
 
 /// A run keeps its results where their error cannot be estimated; then `problem` says why.
-std::vector<Companions> try_companions(const Case& input, const std::vector<double>& frictions,
-                                       const mechanics::ContactOptions& options,
-                                       std::string& problem) {
+std::vector<CoarserSolutions> try_coarser(const Case& input, const std::vector<double>& frictions,
+                                          const mechanics::ContactOptions& options,
+                                          std::string& problem) {
   try {
-    return solve_companions(input, frictions, options);
+    return solve_coarser(input, frictions, options);
   } catch (const SolverError& error) {
     problem = error.what();
   } catch (const UserError& error) { // its mesh does not fit beside the slider
@@ -104,35 +104,35 @@ std::vector<Companions> try_companions(const Case& input, const std::vector<doub
 
 /// The coarser solutions and, beside them, the solutions themselves, whose progress is reported
 /// once the coarser ones are there.
-std::vector<Companions> solve_beside(const Case& input, const std::vector<double>& frictions,
-                                     const mechanics::ContactOptions& options, base::Timers& timers,
-                                     std::string& problem,
-                                     std::vector<mechanics::ContactSolution>& solutions) {
+std::vector<CoarserSolutions> solve_beside(const Case& input, const std::vector<double>& frictions,
+                                           const mechanics::ContactOptions& options,
+                                           base::Timers& timers, std::string& problem,
+                                           std::vector<mechanics::ContactSolution>& solutions) {
   mechanics::ContactOptions coarse = options, own = options;
   coarse.threads = std::max(1, options.threads / 2);
   own.threads = std::max(1, options.threads - coarse.threads);
   coarse.shared_threads = own.shared_threads = options.threads;
   coarse.spare = std::make_shared<parallel::SpareThreads>();
   std::mutex telling;
-  bool companions_solved = false;
+  bool coarser_solved = false;
   std::string own_activity = "mechanics";
   double own_fraction = 0;
   own.progress = [&](std::string_view activity, double fraction) {
     const std::lock_guard lock(telling);
     own_activity = activity;
     own_fraction = fraction;
-    if (companions_solved) {
+    if (coarser_solved) {
       options.progress(activity, fraction);
     }
   };
-  std::vector<Companions> companions;
-  options.progress(companion_activity, 0.0);
+  std::vector<CoarserSolutions> coarser_solutions;
+  options.progress(coarser_activity, 0.0);
   const auto task = [&](std::size_t which) {
     if (which == 0) {
       const base::Timers::Scope scope(timers, "mechanics: companion");
-      companions = try_companions(input, frictions, coarse, problem);
+      coarser_solutions = try_coarser(input, frictions, coarse, problem);
       const std::lock_guard lock(telling);
-      companions_solved = true;
+      coarser_solved = true;
       options.progress(own_activity, own_fraction);
       return;
     }
@@ -142,7 +142,7 @@ std::vector<Companions> solve_beside(const Case& input, const std::vector<double
     }
   };
   parallel::run_tasks(2, std::min(2, options.threads), task, coarse.spare.get());
-  return companions;
+  return coarser_solutions;
 }
 
 } // namespace
@@ -162,46 +162,46 @@ std::vector<SolvedMechanics> solve_mechanics(const Case& input,
     }
   }
   std::string problem;
-  std::vector<Companions> solved_companions;
+  std::vector<CoarserSolutions> solved_coarser;
   std::vector<mechanics::ContactSolution> solutions;
   if (input.numerics.error_estimate) {
-    solved_companions = solve_beside(input, frictions, both, timers, problem, solutions);
+    solved_coarser = solve_beside(input, frictions, both, timers, problem, solutions);
   } else {
-    solved_companions.resize(frictions.size());
+    solved_coarser.resize(frictions.size());
     options.progress("mechanics", 0.0);
     solutions = mechanics::solve_contact(input, frictions, both, timers);
   }
   std::vector<SolvedMechanics> solved;
   for (std::size_t i = 0; i < frictions.size(); ++i) {
     solved.push_back({std::move(solutions[i]), {}});
-    if (solved_companions.empty()) {
+    if (solved_coarser.empty()) {
       solved.back().contact.warnings.push_back(
           "The error of the mechanics is not estimated: on a mesh of twice the size " + problem +
           ".");
     } else {
-      solved.back().companions = std::move(solved_companions[i]);
+      solved.back().coarser_solutions = std::move(solved_coarser[i]);
     }
   }
   return solved;
 }
 
-void add_companions(const Case& input, const mechanics::ContactOptions& options,
-                    MechanicsRecord& record) {
+void add_coarser_solutions(const Case& input, const mechanics::ContactOptions& options,
+                           MechanicsRecord& record) {
   mechanics::ContactOptions own = options;
   if (!own.footprint) {
     own.footprint =
         mechanics::find_footprint(input, input.contact.friction, options.threads).footprint;
   }
   std::string problem;
-  for (Companions& solved : try_companions(input, {input.contact.friction}, own, problem)) {
-    record.companions = std::move(solved);
+  for (CoarserSolutions& solved : try_coarser(input, {input.contact.friction}, own, problem)) {
+    record.coarser_solutions = std::move(solved);
   }
 }
 
 MechanicsRecord record_mechanics(const Case& input, const SolvedMechanics& solved,
                                  const base::ProgressCallback& progress) {
   MechanicsRecord record = make_mechanics_record(input, solved.contact, progress);
-  record.companions = solved.companions;
+  record.coarser_solutions = solved.coarser_solutions;
   return record;
 }
 

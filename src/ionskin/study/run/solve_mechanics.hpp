@@ -15,9 +15,9 @@ namespace ionskin::study {
 /// Study 1 and its coarser solutions, which give the error.
 struct SolvedMechanics {
   mechanics::ContactSolution contact;
-  /// Records of the coarser solutions by name, see mechanics/companions.hpp; empty where their mesh
-  /// has no solution and where no error is asked for.
-  std::map<std::string, std::shared_ptr<const MechanicsRecord>> companions;
+  /// Records of the coarser solutions by name, see mechanics/coarser_solutions.hpp; empty where
+  /// their mesh has no solution and where no error is asked for.
+  std::map<std::string, std::shared_ptr<const MechanicsRecord>> coarser_solutions;
 };
 
 /// Solves a case for several friction coefficients together, which share one footprint: that of the
@@ -30,8 +30,8 @@ std::vector<SolvedMechanics> solve_mechanics(const Case& input,
 
 /// Solves and adds the coarser solutions of a record that has none; none where they have no
 /// solution.
-void add_companions(const Case& input, const mechanics::ContactOptions& options,
-                    MechanicsRecord& record);
+void add_coarser_solutions(const Case& input, const mechanics::ContactOptions& options,
+                           MechanicsRecord& record);
 
 /// Condenses it into what the rest of the run needs.
 /// @param progress called with "strain history"

@@ -15,7 +15,8 @@ constexpr double part_of_charge = 5e-11;
 } // namespace
 
 double charge_rounding(const Case& input, const history::CoreHistory& history) {
-  const history::HistoryChannel& channel = electrochemistry::driving_channel(input, history);
+  const history::HistoryChannel& channel =
+      electrochemistry::driving_channel(input.coupling.law, history);
   double largest = 0;
   for (const double time : history.time) {
     largest = std::max(largest, history::channel_integrals(history, channel, time).magnitude);

@@ -156,7 +156,7 @@ std::optional<readout::Metric> charge_identity(const Case& input, const Mechanic
     return std::nullopt;
   }
   const history::HistoryChannel& channel =
-      electrochemistry::driving_channel(input, mechanics.history);
+      electrochemistry::driving_channel(input.coupling.law, mechanics.history);
   const double factor = electrochemistry::charge_density_of_channel(input, channel);
   std::vector<double> expected(ions.time.size()), magnitude(ions.time.size());
   parallel::run_tasks(expected.size(), threads, [&](std::size_t row) {
@@ -469,7 +469,7 @@ std::vector<readout::Metric> audited_metrics(const MechanicsRecord& mechanics,
   if (mechanics.has_contact()) {
     double largest = 0;
     for (const double shear : signals.resolved.column("p99_shear").values) {
-      largest = base::larger(largest, std::abs(shear));
+      largest = base::nan_max(largest, std::abs(shear));
     }
     metrics.push_back({"largest_p99_shear", largest, "1"});
   }

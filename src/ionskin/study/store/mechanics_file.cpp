@@ -17,7 +17,7 @@ namespace ionskin::study {
 namespace {
 
 /// Holds a group per coarser solution, each with a path and a strain like those of the run.
-constexpr const char* companions_group = "/companions";
+constexpr const char* coarser_group = "/companions";
 constexpr double most_solves = 1e9;
 
 std::vector<double> onset_column(const MechanicsRecord& record, std::size_t column) {
@@ -155,7 +155,7 @@ MechanicsRecord read_path(const results::ForeignHdf5File& file, const std::strin
 
 void write_mechanics(const std::filesystem::path& path, const std::string& hash,
                      const MechanicsRecord& record, const base::ProgressCallback& progress) {
-  const double histories = 1 + static_cast<double>(record.companions.size());
+  const double histories = 1 + static_cast<double>(record.coarser_solutions.size());
   double written = 0;
   results::ResultsFile results(path, results::ResultsFile::Start::empty);
   results.write_strain(record.history);
@@ -164,10 +164,10 @@ void write_mechanics(const std::filesystem::path& path, const std::string& hash,
   write_path(file, "/path", record);
   file.set_attribute("/path", "mechanics_hash", hash);
   progress("strain history", ++written / histories);
-  for (const auto& [name, companion] : record.companions) {
-    const std::string group = companions_group + ("/" + name);
-    write_path(file, group + "/path", *companion);
-    results::write_strain(file, group + "/strain", companion->history);
+  for (const auto& [name, coarser] : record.coarser_solutions) {
+    const std::string group = coarser_group + ("/" + name);
+    write_path(file, group + "/path", *coarser);
+    results::write_strain(file, group + "/strain", coarser->history);
     progress("strain history", ++written / histories);
   }
   results.commit();
@@ -187,13 +187,14 @@ std::optional<MechanicsRecord> read_mechanics(const std::filesystem::path& path,
     record = read_path(file, "/path");
     record.history = results::read_strain_file(file, skin);
     require_samples(file, "/path", record);
-    if (file.has(companions_group)) {
-      for (const std::string& name : file.members(companions_group)) {
-        const std::string group = companions_group + ("/" + name);
-        MechanicsRecord companion = read_path(file, group + "/path");
-        companion.history = results::read_strain_file(file, skin, group + "/strain");
-        require_samples(file, group + "/path", companion);
-        record.companions[name] = std::make_shared<const MechanicsRecord>(std::move(companion));
+    if (file.has(coarser_group)) {
+      for (const std::string& name : file.members(coarser_group)) {
+        const std::string group = coarser_group + ("/" + name);
+        MechanicsRecord coarser = read_path(file, group + "/path");
+        coarser.history = results::read_strain_file(file, skin, group + "/strain");
+        require_samples(file, group + "/path", coarser);
+        record.coarser_solutions[name] =
+            std::make_shared<const MechanicsRecord>(std::move(coarser));
       }
     }
   }

@@ -3,17 +3,16 @@
 
 #include "ionskin/base/error.hpp"
 #include "ionskin/base/files/atomic_file.hpp"
-#include "ionskin/base/files/sealed_file.hpp"
 #include "ionskin/mechanics/path/expected_steps.hpp"
 #include "ionskin/mechanics/path/find_footprint.hpp"
 #include "ionskin/mechanics/surface/contact_cells.hpp"
 #include "ionskin/mesh/skin_mesh.hpp"
 #include "ionskin/parallel/task_pool.hpp"
-#include "ionskin/results/hdf5/foreign_hdf5_file.hpp"
 #include "ionskin/results/output_folder.hpp"
 #include "ionskin/study/run/run_folder.hpp"
 #include "ionskin/study/run/solve_mechanics.hpp"
 #include "ionskin/study/store/mechanics_file.hpp"
+#include "ionskin/study/store/mechanics_store.hpp"
 #include "ionskin/study/sweep/point_failure.hpp"
 
 #include <algorithm>
@@ -119,16 +118,11 @@ GroupPlan plan_group(const Case& input, int threads) {
   return plan;
 }
 
-/// Study 1 of a point, read from the file of another that shares it.
-bool take_over(const SweepPoint& point, const RunOptions& options,
-               const std::filesystem::path& donor) {
-  const auto record = read_mechanics(donor, point.mechanics_hash, point.input.skin);
-  if (!record) {
-    return false;
-  }
+/// Leaves mechanics that another point holds in the folder of a point.
+void take_over(const SweepPoint& point, const RunOptions& options, const MechanicsRecord& record) {
   RunFolder folder(point.input, point_options(options, point));
-  return folder.stage("strain", [&] {
-    write_mechanics(folder.own(results::file_names::results), point.mechanics_hash, *record);
+  folder.stage("strain", [&] {
+    write_mechanics(folder.own(results::file_names::results), point.mechanics_hash, record);
     return true;
   });
 }
@@ -243,64 +237,27 @@ private:
   std::size_t units_, finished_ = 0;
 };
 
-bool has_mechanics(const std::filesystem::path& path, const std::string& hash) {
-  if (base::check_seal(path) != base::SealState::whole) {
-    return false;
-  }
-  try { // a seal can be made anew by whoever damages a file
-    const results::ForeignHdf5File file(path);
-    return file.has("/path") && file.text_attribute("/path", "mechanics_hash") == hash;
-  } catch (const UserError&) {
-    return false;
-  }
-}
-
-/// Finds the mechanics that points leave in their folders.
-class Donors {
-public:
-  Donors(const std::vector<SweepPoint>& points, std::vector<std::filesystem::path> folders)
-      : folders_(std::move(folders)) {
-    for (const SweepPoint& point : points) {
-      points_[point.mechanics_hash].push_back(&point);
-    }
-  }
-  std::optional<std::filesystem::path> find(const std::string& hash) {
-    const auto known = found_.find(hash);
-    return known != found_.end() ? known->second : found_[hash] = search(hash);
-  }
-
-private:
-  std::optional<std::filesystem::path> search(const std::string& hash) const {
-    for (const SweepPoint* point : points_.at(hash)) {
-      for (const auto& folder : folders_) {
-        const auto path = folder / point->name / results::file_names::results;
-        if (has_mechanics(path, hash)) {
-          return path;
-        }
-      }
-    }
-    return std::nullopt;
-  }
-  std::vector<std::filesystem::path> folders_;
-  std::map<std::string, std::vector<const SweepPoint*>> points_;
-  std::map<std::string, std::optional<std::filesystem::path>> found_;
-};
-
 /// Points of the given ones that are still to be solved, once they took over what is there.
 std::vector<std::size_t> points_to_solve(const std::vector<SweepPoint>& points,
                                          const std::vector<std::size_t>& unfinished,
                                          const RunOptions& options,
                                          const std::filesystem::path& others) {
-  Donors donors(points, {options.folder, others});
+  MechanicsStore store;
+  for (const SweepPoint& point : points) {
+    for (const auto& folder : {options.folder, others}) {
+      store.add(point.mechanics_hash, folder / point.name / results::file_names::results);
+    }
+  }
   std::vector<std::size_t> result;
   for (const std::size_t i : unfinished) {
     const SweepPoint& point = points[i];
     const auto own = point_options(options, point).folder / results::file_names::results;
-    if (point.mechanics_hash.empty() || has_mechanics(own, point.mechanics_hash)) {
+    if (point.mechanics_hash.empty() || MechanicsStore::holds(own, point.mechanics_hash)) {
       continue;
     }
-    const auto donor = donors.find(point.mechanics_hash);
-    if (!donor || !take_over(point, options, *donor)) {
+    if (const auto record = store.read(point.mechanics_hash, point.input.skin)) {
+      take_over(point, options, *record);
+    } else {
       result.push_back(i);
     }
   }

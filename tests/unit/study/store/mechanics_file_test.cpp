@@ -3,13 +3,16 @@
 
 #include "corruption.hpp"
 #include "ionskin/base/error.hpp"
+#include "ionskin/base/files/sealed_file.hpp"
 #include "ionskin/history/shear_statistics.hpp"
 #include "ionskin/results/hdf5/hdf5_file.hpp"
+#include "ionskin/study/store/mechanics_store.hpp"
 #include "scratch_folder.hpp"
 #include "synthetic_contact.hpp"
 
 #include <gtest/gtest.h>
 
+#include <fstream>
 #include <string>
 
 namespace ionskin::study {
@@ -56,9 +59,9 @@ TEST(MechanicsFile, GivesBackWhatTheRestOfTheRunNeeds) {
   auto contact = small_contact(input);
   contact.warnings = {"a warning"};
   auto record = make_mechanics_record(input, contact);
-  const auto companion =
+  const auto coarser =
       std::make_shared<const MechanicsRecord>(make_mechanics_record(input, contact));
-  record.companions["mesh"] = companion;
+  record.coarser_solutions["mesh"] = coarser;
   EXPECT_EQ(record.worst_equilibrium_residual, 1e-12);
   EXPECT_EQ(record.electrode_stress, (std::vector<double>{3e6, 4e6}));
   ASSERT_EQ(record.normal_force.size(), record.history.time.size());
@@ -84,12 +87,12 @@ TEST(MechanicsFile, GivesBackWhatTheRestOfTheRunNeeds) {
   EXPECT_EQ(read->metrics[0].name, "contact_area_slide");
   EXPECT_EQ(read->metrics[0].value, record.metrics[0].value);
   EXPECT_EQ(read->metrics[0].unit, "m2");
-  ASSERT_EQ(read->companions.size(), 1u);
-  const MechanicsRecord& companion_read = *read->companions.at("mesh");
-  EXPECT_EQ(companion_read.normal_force, companion->normal_force);
-  EXPECT_EQ(companion_read.metrics.size(), companion->metrics.size());
-  EXPECT_EQ(companion_read.history.time, companion->history.time);
-  EXPECT_EQ(*companion_read.history.shear()[20], *companion->history.shear()[20]);
+  ASSERT_EQ(read->coarser_solutions.size(), 1u);
+  const MechanicsRecord& coarser_read = *read->coarser_solutions.at("mesh");
+  EXPECT_EQ(coarser_read.normal_force, coarser->normal_force);
+  EXPECT_EQ(coarser_read.metrics.size(), coarser->metrics.size());
+  EXPECT_EQ(coarser_read.history.time, coarser->history.time);
+  EXPECT_EQ(*coarser_read.history.shear()[20], *coarser->history.shear()[20]);
   EXPECT_EQ(read->join_time, record.join_time);
   EXPECT_EQ(read->warnings, record.warnings);
   EXPECT_EQ(read->electrode_stress, record.electrode_stress);
@@ -137,6 +140,43 @@ TEST(MechanicsFile, DamageIsAnErrorOrFindsNothingWrong) {
       EXPECT_NE(std::string(error.what()).find("results.h5"), std::string::npos) << error.what();
     }
   }
+}
+
+TEST(MechanicsStore, PassesOverDamageAndSaysSo) {
+  const results::ScratchFolder folder;
+  const Case input = handover::small_case();
+  const auto record = make_mechanics_record(input, small_contact(input));
+  MechanicsStore store;
+  for (const char* name : {"missing.h5", "changed.h5", "sealed.h5", "whole.h5"}) {
+    const auto path = folder.path() / name;
+    store.add("hash", path);
+    if (path.stem() != "missing") {
+      write_mechanics(path, "hash", record);
+    }
+  }
+  const auto changed = folder.path() / "changed.h5", sealed = folder.path() / "sealed.h5",
+             whole = folder.path() / "whole.h5";
+  std::ofstream(changed, std::ios::app) << "x";
+  {
+    results::Hdf5File file(sealed, results::Hdf5File::Access::modify);
+    file.remove("/path/slip");
+  }
+  base::seal(sealed);
+
+  EXPECT_FALSE(MechanicsStore::holds(folder.path() / "missing.h5", "hash"));
+  EXPECT_FALSE(MechanicsStore::holds(changed, "hash"));
+  EXPECT_TRUE(MechanicsStore::holds(whole, "hash"));
+  EXPECT_FALSE(MechanicsStore::holds(whole, "other"));
+  EXPECT_FALSE(store.read("other", input.skin));
+  EXPECT_TRUE(store.notes().empty());
+  const auto read = store.read("hash", input.skin);
+  ASSERT_TRUE(read);
+  EXPECT_EQ(read->normal_force, record.normal_force);
+  ASSERT_EQ(store.notes().size(), 2u);
+  EXPECT_EQ(store.notes()[0], "changed.h5 was damaged: what it held is done again.");
+  EXPECT_NE(store.notes()[1].find("sealed.h5"), std::string::npos);
+  ASSERT_TRUE(store.read("hash", input.skin));
+  EXPECT_EQ(store.notes().size(), 2u); // files that failed are not asked again
 }
 
 } // namespace

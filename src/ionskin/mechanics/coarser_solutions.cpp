@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ionskin/mechanics/companions.hpp"
+#include "ionskin/mechanics/coarser_solutions.hpp"
 
 #include "ionskin/mesh/mesh_resolution.hpp"
 
@@ -7,12 +7,12 @@
 
 namespace ionskin::mechanics {
 
-Case companion_case(const Case& input, const std::string& companion) {
+Case coarser_case(const Case& input, const std::string& coarser) {
   Case result = input;
   result.numerics.mesh_refinement *= 0.5;
-  if (companion == companions::path) {
+  if (coarser == coarser_solutions::path) {
     result.numerics.time_refinement *= 0.5;
-  } else if (companion == companions::thickness) {
+  } else if (coarser == coarser_solutions::thickness) {
     const std::size_t coarse = mesh::core_elements(result.numerics);
     while (mesh::core_elements(result.numerics) < 2 * coarse) {
       result.numerics.thickness_refinement *= 2;
@@ -21,9 +21,9 @@ Case companion_case(const Case& input, const std::string& companion) {
   return result;
 }
 
-bool needs_thickness_companion(const Case& input) {
-  const Case companion = companion_case(input, companions::mesh);
-  return mesh::core_elements(input.numerics) == mesh::core_elements(companion.numerics);
+bool needs_coarser_thickness(const Case& input) {
+  const Case coarser = coarser_case(input, coarser_solutions::mesh);
+  return mesh::core_elements(input.numerics) == mesh::core_elements(coarser.numerics);
 }
 
 } // namespace ionskin::mechanics
