@@ -29,6 +29,8 @@ std::vector<Row> adhesion_rows(const Options& options);
 std::vector<Row> solid_rows(const Options& options);
 /// M17: tilted, turned and spinning sliders, and the wrench on the skin.
 std::vector<Row> pose_rows(const Options& options);
+/// M18: several sliders on one skin.
+std::vector<Row> several_sliders_rows(const Options& options);
 /// Observed orders of reported averages under numerics.mesh_refinement, in plane strain.
 std::vector<Row> convergence_rows(const Options& options);
 

@@ -5,6 +5,7 @@
 #include "ionskin/base/timers.hpp"
 #include "ionskin/case/case.hpp"
 #include "ionskin/mechanics/output/contact_solution.hpp"
+#include "ionskin/mechanics/output/force_path.hpp"
 #include "ionskin/mechanics/path/path_steps.hpp"
 #include "ionskin/mesh/footprint.hpp"
 #include "ionskin/parallel/spare_threads.hpp"
@@ -38,6 +39,8 @@ struct ContactOptions {
 struct ContactVariant {
   double friction = 0;
   PathSteps steps;
+  /// Null, or paths of other sliders that press the same skin at the same time.
+  std::shared_ptr<const std::vector<ForcePath>> others = {};
 };
 
 /// All of Study 1. Throws SolverError when contact does not converge, Interrupted on request.

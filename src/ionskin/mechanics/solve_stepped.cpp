@@ -12,6 +12,7 @@
 #include "ionskin/mechanics/path/expected_steps.hpp"
 #include "ionskin/mechanics/path/find_footprint.hpp"
 #include "ionskin/mechanics/path/path_resolution.hpp"
+#include "ionskin/mechanics/skin/other_sliders.hpp"
 #include "ionskin/mechanics/skin/skin_reach.hpp"
 #include "ionskin/mechanics/slider/fine_features.hpp"
 #include "ionskin/mesh/footprint.hpp"
@@ -49,6 +50,18 @@ std::vector<double> requested_instants(const Case& input, const std::vector<Moti
   const auto landing = std::ranges::find_if(legs, &MotionLeg::lands);
   if (landing != legs.end()) {
     instants.push_back(landing->end());
+  }
+  std::ranges::sort(instants);
+  return instants;
+}
+
+/// Instants between which the forces of other sliders are linear.
+std::vector<double> instants_of(const std::vector<ForcePath>& others) {
+  std::vector<double> instants;
+  for (const ForcePath& path : others) {
+    for (const ForcePath::Instant& instant : path.instants) {
+      instants.push_back(instant.time);
+    }
   }
   std::ranges::sort(instants);
   return instants;
@@ -114,6 +127,12 @@ ContactSolution solve_path(const Case& input, const std::vector<MotionLeg>& legs
       input.slider.changing.any()
           ? std::make_shared<const TurningUnderside>(input.slider, model.cells)
           : nullptr);
+  if (variant.others) {
+    options.others = instants_of(*variant.others);
+    contact.let_others_move([&](double time, const std::array<double, 2>& place) {
+      return moved_by_others(model, *variant.others, time, place);
+    });
+  }
   MotionStepper stepper(contact, options, [&](const StepPoint& point, const SlidingContact& at) {
     kept.add(point, at);
   });

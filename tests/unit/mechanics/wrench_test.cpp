@@ -17,12 +17,12 @@ std::array<double, 3> moment_of_tractions(const ContactSolution& solution,
   const auto &x = solution.cell_lines_x, &y = solution.cell_lines_y;
   for (std::size_t j = 0, cell = 0; j + 1 < y.size(); ++j) {
     for (std::size_t i = 0; i + 1 < x.size(); ++i, ++cell) {
-      const double area = (x[i + 1] - x[i]) * (y[j + 1] - y[j]), arm_x = (x[i + 1] + x[i]) / 2,
+      const double cell_area = (x[i + 1] - x[i]) * (y[j + 1] - y[j]), arm_x = (x[i + 1] + x[i]) / 2,
                    arm_y = (y[j + 1] + y[j]) / 2;
-      moment[0] -= area * arm_y * state.normal_traction[cell];
-      moment[1] += area * arm_x * state.normal_traction[cell];
-      moment[2] += area * (arm_x * state.tangential_traction_y[cell] -
-                           arm_y * state.tangential_traction_x[cell]);
+      moment[0] -= cell_area * arm_y * state.normal_traction[cell];
+      moment[1] += cell_area * arm_x * state.normal_traction[cell];
+      moment[2] += cell_area * (arm_x * state.tangential_traction_y[cell] -
+                                arm_y * state.tangential_traction_x[cell]);
     }
   }
   return moment;

@@ -32,7 +32,27 @@ std::vector<RowImage> LayeredSkin::images_in_sides(double centre_y) const {
 }
 
 LongWaves LayeredSkin::long_waves(const std::array<double, 2>& centre) const {
-  return {box_, grid_, centre, near_ends(centre[0])};
+  return {box_, grid_, centre, near_ends(clearance_of_ends(grid_, centre[0]))};
+}
+
+// The nearer of both sliders tells what the ends do between them.
+CellFields LayeredSkin::moved_by(const ContactGrid& other,
+                                 const std::array<double, 2>& other_centre,
+                                 const CellFields& forces,
+                                 const std::array<double, 2>& centre) const {
+  const NearEnds near = near_ends(
+      std::min(clearance_of_ends(grid_, centre[0]), clearance_of_ends(other, other_centre[0])));
+  CellFields result;
+  for (Eigen::MatrixXd& one : result) {
+    one = Eigen::MatrixXd::Zero(grid_.columns(), grid_.rows());
+  }
+  LongWaves(box_, other, other_centre, near)
+      .add_at(LongWaves(box_, grid_, centre, near), forces, result);
+  return result;
+}
+
+double LayeredSkin::clearance_of_ends(const ContactGrid& grid, double centre_x) const {
+  return smaller(centre_x + grid.x.front(), box_->key.length - centre_x - grid.x.back());
 }
 
 WavesOfBody LayeredSkin::waves() const {
@@ -66,12 +86,10 @@ LayeredSkin::Across LayeredSkin::across(double centre_y) const {
 // An image lies twice as far away as the end that it is mirrored in: waves that end before it do
 // not count. Single waves do not fall with the distance from the ends, only their sum does: each
 // share ends so late that forces do not jump where it does.
-NearEnds LayeredSkin::near_ends(double centre_x) const {
+NearEnds LayeredSkin::near_ends(double clearance) const {
   constexpr double least_share = 1e-6;
   const Eigen::ArrayXd& waves = box_->modes.along_x().wave_numbers;
   const SkinResolution& resolution = box_->key.resolution;
-  const double clearance =
-      smaller(centre_x + grid_.x.front(), box_->key.length - centre_x - grid_.x.back());
   const double reach = std::max(resolution.reach, 2 * clearance);
   const WaveSplit split(reach, resolution.split_tolerance);
   NearEnds result{Eigen::ArrayXd::Ones(waves.size()), resolution.face_waves / reach};
@@ -84,7 +102,7 @@ NearEnds LayeredSkin::near_ends(double centre_x) const {
 
 Eigen::MatrixXd LayeredSkin::Across::compliance(double centre_x) const {
   const ContactGrid& grid = skin_->grid_;
-  const NearEnds near = skin_->near_ends(centre_x);
+  const NearEnds near = skin_->near_ends(skin_->clearance_of_ends(grid, centre_x));
   Eigen::MatrixXd result = alike_;
   add_modes(rows_, skin_->box_->modes.along_x(), ModePart::mirrored, near.share, grid, centre_x,
             result);

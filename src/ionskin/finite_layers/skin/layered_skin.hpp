@@ -68,8 +68,17 @@ public:
   LongWaves long_waves(const std::array<double, 2>& centre) const;
   WavesOfBody waves() const;
 
+  /// Distance beyond which short waves do not reach [m].
+  double reach() const { return box_->key.resolution.reach; }
+  /// Displacement of the cells with the slider at a place by forces on those of another slider,
+  /// which lies farther away than `reach`, docs/model.md (54), (56), (57) [m].
+  /// @param other its cells, none of them mirrored
+  CellFields moved_by(const ContactGrid& other, const std::array<double, 2>& other_centre,
+                      const CellFields& forces, const std::array<double, 2>& centre) const;
+
 private:
-  NearEnds near_ends(double centre_x) const;
+  double clearance_of_ends(const ContactGrid& grid, double centre_x) const;
+  NearEnds near_ends(double clearance) const;
 
   ContactGrid grid_;
   std::shared_ptr<const LayerBox> box_;

@@ -64,6 +64,11 @@ LongWaves::Modes LongWaves::displaced(const Modes& forces) const {
 }
 
 void LongWaves::add(const CellFields& forces, CellFields& displacements) const {
+  add_at(*this, forces, displacements);
+}
+
+void LongWaves::add_at(const LongWaves& other, const CellFields& forces,
+                       CellFields& displacements) const {
   Modes of_forces, beside;
   for (std::size_t c = 0; c < 3; ++c) {
     const Eigen::MatrixXd across = forces[c] * rows_[c]; // [column, n]
@@ -80,8 +85,9 @@ void LongWaves::add(const CellFields& forces, CellFields& displacements) const {
   box_->ends->add(of_forces, near_.share, near_.last, by_ends);
   for (std::size_t c = 0; c < 3; ++c) {
     moved[c] += images_ * by_ends[c];
-    const Eigen::MatrixXd across = columns_[c] * moved[c] + beside_[c] * moved_beside[c];
-    displacements[c].noalias() += across * rows_[c].transpose();
+    const Eigen::MatrixXd across =
+        other.columns_[c] * moved[c] + other.beside_[c] * moved_beside[c];
+    displacements[c].noalias() += across * other.rows_[c].transpose();
   }
 }
 

@@ -29,6 +29,8 @@ public:
 
   /// Adds the displacements by forces.
   void add(const CellFields& forces, CellFields& displacements) const;
+  /// Adds those of the cells of another slider on the same skin.
+  void add_at(const LongWaves& other, const CellFields& forces, CellFields& displacements) const;
   /// About that of a cell by its own force: normal, x, y [m/N].
   std::array<double, 3> own() const;
 

@@ -48,8 +48,7 @@ void KeptPath::add(const StepPoint& point, const SlidingContact& contact) {
 
 /// Depth of a slider without load below the first place of the skin that it would touch [m].
 double KeptPath::unresisted_depth(const StepPoint& point, const SlidingContact& contact) {
-  const std::vector<double>& gap = contact.problem().gap;
-  return -point.height - *std::min_element(gap.begin(), gap.end());
+  return -point.height - contact.problem().least_free_gap();
 }
 
 void KeptPath::keep(PathThinning::Instant&& instant) {

@@ -31,6 +31,7 @@ LegLevels leg_levels(const MotionLeg& leg, const SlidingContact& contact,
   if (leg.to_level.is_force) {
     // The height at which the force will be carried: tried out, then taken back.
     SlidingContact trial = contact;
+    trial.set_end_of_step(leg.end());
     levels.at_end = leg.to_level.value;
     levels.to = -trial
                      .step(leg.duration, place,

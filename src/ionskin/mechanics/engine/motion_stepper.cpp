@@ -143,10 +143,12 @@ double MotionStepper::next_fraction(const MotionLeg& leg, const LegLevels& level
     next = std::min(next, at + rest_step_ / leg.duration);
   }
   const double time = leg.begin + at * leg.duration;
-  const auto instant = std::upper_bound(options_.instants.begin(), options_.instants.end(),
-                                        time * (1 + instant_tolerance));
-  if (instant != options_.instants.end() && leg.duration > 0) {
-    next = std::min(next, (*instant - leg.begin) / leg.duration);
+  for (const std::vector<double>* instants : {&options_.instants, &options_.others}) {
+    const auto instant =
+        std::upper_bound(instants->begin(), instants->end(), time * (1 + instant_tolerance));
+    if (instant != instants->end() && leg.duration > 0) {
+      next = std::min(next, (*instant - leg.begin) / leg.duration);
+    }
   }
   // No sliver is left behind.
   return next > levels.end - 1e-3 * (next - at) ? levels.end : next;
@@ -156,6 +158,7 @@ double MotionStepper::next_fraction(const MotionLeg& leg, const LegLevels& level
 bool MotionStepper::lands_on_the_way(const MotionLeg& leg, const LegLevels& levels) {
   // A slider that lies on the skin from the first has come there through the air, without slip.
   if (levels.begin > 0 || (contact_.range() == 0 && !contact_.in_contact())) {
+    contact_.set_end_of_step(leg.begin + levels.begin * leg.duration);
     contact_.step(levels.begin * leg.duration, leg.centre(levels.begin * leg.duration),
                   {LoadKind::indentation, 0 - contact_.range()},
                   leg.pose(levels.begin * leg.duration));
@@ -199,7 +202,7 @@ void MotionStepper::touch(const MotionLeg& leg) {
     travel_.rest();
     onset_open_ = false;
   }
-  if (rests && !contact_.problem().friction.rate_dependent) {
+  if (rests && !contact_.problem().friction.rate_dependent && options_.others.empty()) {
     emit(leg, 1, levels.height(1), false); // nothing happens while the slider rests
     return;
   }
@@ -248,6 +251,10 @@ void MotionStepper::go(const MotionLeg& leg, const LegLevels& levels) {
     }
   }
   if (levels.leaves()) {
+    if (contact_.in_contact()) { // others lift the skin above its undeformed face
+      contact_.set_end_of_step(leg.end());
+      contact_.step((1 - levels.end) * leg.duration, leg.to, levels.load(1), leg.to_pose);
+    }
     emit(leg, 1, levels.to, false);
   }
 }

@@ -29,13 +29,15 @@ struct StepPoint {
 /// Options by which a motion is cut into steps.
 struct StepperOptions {
   PathSteps steps;
-  double longest_travel = 0;         ///< of a step [m]
-  double longest_turn = 0.05;        ///< of a step about z [rad]
-  double half_diagonal = 0;          ///< of the footprint [m]
-  double heaviest_indentation = 0;   ///< [m]
-  double heaviest_force = 0;         ///< on the meshed part [N]
-  double meshed_share = 1;           ///< part of the force that the mesh carries
-  std::vector<double> instants;      ///< instants that must be passed, ascending [s]
+  double longest_travel = 0;       ///< of a step [m]
+  double longest_turn = 0.05;      ///< of a step about z [rad]
+  double half_diagonal = 0;        ///< of the footprint [m]
+  double heaviest_indentation = 0; ///< [m]
+  double heaviest_force = 0;       ///< on the meshed part [N]
+  double meshed_share = 1;         ///< part of the force that the mesh carries
+  std::vector<double> instants;    ///< instants that must be passed, ascending [s]
+  /// Instants between which others move the skin evenly, ascending; empty without others [s].
+  std::vector<double> others;
   std::optional<DriveOptions> drive; ///< drive that the slider hangs on
 };
 

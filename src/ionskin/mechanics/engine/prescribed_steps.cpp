@@ -14,6 +14,7 @@ constexpr int most_halvings = 6;
 void PrescribedSteps::step(const MotionLeg& leg, const LegLevels& levels, double from, double to,
                            int depth) {
   try {
+    contact().set_end_of_step(leg.begin + to * leg.duration);
     contact().step((to - from) * leg.duration, leg.centre(to * leg.duration), levels.load(to),
                    leg.pose(to * leg.duration));
     count_step();

@@ -125,9 +125,10 @@ void SlidingContact::detach(const SliderStep& step) {
   problem_.lagged_speed.clear();
   remembered_speed_.clear();
   std::fill(state_.force.begin(), state_.force.end(), 0.0);
-  std::fill(state_.surface.begin(), state_.surface.end(), 0.0);
+  state_.surface = problem_.by_others;
+  state_.surface.resize(state_.force.size(), 0.0);
   std::fill(state_.slip.begin(), state_.slip.end(), 0.0);
-  const double first_touch = *std::min_element(problem_.gap.begin(), problem_.gap.end());
+  const double first_touch = problem_.least_free_gap();
   state_.indentation =
       step.load.kind == LoadKind::force ? first_touch : std::max(0.0, step.load.value);
   state_.step = step;
@@ -147,9 +148,7 @@ bool SlidingContact::reaches(const SliderLoad& load) const {
     return true; // it may hold on at any height
   }
   const double least =
-      load.kind == LoadKind::force
-          ? 0
-          : *std::min_element(problem_.gap.begin(), problem_.gap.end()) - adhesion.range;
+      load.kind == LoadKind::force ? 0 : problem_.least_free_gap() - adhesion.range;
   return !(load.value <= least); // what is not a number is left to the solver to refuse
 }
 
@@ -221,6 +220,10 @@ const SurfaceState& SlidingContact::move(double time_step, const SliderGuide& gu
   }
   const bool yields = guide.compliance != std::array<double, 2>{};
   condense_at(guide.expected);
+  CellVector others_before = problem_.by_others;
+  if (others_) {
+    problem_.by_others = others_(end_of_step_, guide.expected);
+  }
   may_have_jumped_ = false;
   if (!reaches(load)) {
     detach(step);
@@ -256,6 +259,7 @@ const SurfaceState& SlidingContact::move(double time_step, const SliderGuide& gu
     }
   } catch (...) {
     problem_.lagged_speed.swap(lagged);
+    problem_.by_others = std::move(others_before);
     if (!gap_before.empty()) {
       problem_.gap = std::move(gap_before);
     }
@@ -295,7 +299,8 @@ SlidingContact::OnsetDistance SlidingContact::onset_distance(const std::array<do
   for (std::size_t at = 0; at < surface.size(); at += 3) {
     for (std::size_t c = 0; c < (half_model ? 1u : 2u); ++c) {
       left[c] += surface[at + 1 + c] - state_.surface[at + 1 + c];
-      whole[c] += surface[at + 1 + c];
+      whole[c] +=
+          surface[at + 1 + c] - (problem_.by_others.empty() ? 0.0 : problem_.by_others[at + 1 + c]);
     }
   }
   const auto cells = static_cast<double>(problem_.area.size());

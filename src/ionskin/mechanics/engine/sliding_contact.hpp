@@ -9,6 +9,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace ionskin::mechanics {
@@ -24,6 +25,10 @@ struct SliderGuide {
 using ComplianceAt =
     std::function<void(const std::array<double, 2>& place, ContactProblem& problem)>;
 
+/// Displacement of the cells by other sliders, with the slider at a place at a time since the begin
+/// of the cycle [m].
+using MovedByOthers = std::function<CellVector(double time, const std::array<double, 2>& place)>;
+
 /// A slider on the skin, moved step by step to any place, height or force. Each step is the exact
 /// incremental problem of contact and friction on the compliance at its end; it starts from the
 /// forces of the step before and keeps their factorisation.
@@ -34,6 +39,11 @@ public:
   SlidingContact(ComplianceAt compliance, std::vector<double> area, std::vector<double> gap,
                  const laws::Friction& friction,
                  std::shared_ptr<const TurningUnderside> turning = nullptr);
+
+  /// Other sliders move the skin from now on. They need a rigid path and no adhesion.
+  void let_others_move(MovedByOthers others) { others_ = std::move(others); }
+  /// Sets the time at which the next step ends, since the begin of the cycle [s].
+  void set_end_of_step(double time) { end_of_step_ = time; }
 
   /// Moves the slider. A load that does not reach the skin leaves it unloaded.
   /// @param time_step [s]
@@ -118,6 +128,8 @@ private:
   std::optional<shapes::Pose> pose_; ///< of a slider whose angles change, after a step
   int fallbacks_ = 0;
   bool may_have_jumped_ = false;
+  MovedByOthers others_; ///< null where the slider is the only one
+  double end_of_step_ = 0;
 };
 
 } // namespace ionskin::mechanics

@@ -138,7 +138,7 @@ Eigen::VectorXd ContactLinearisation::times(const Eigen::VectorXd& change) const
                                  : change[first_[i] + 1 + c];
     }
   }
-  const CellVector surface = problem_.surface_displacement(force);
+  const CellVector surface = problem_.own_displacement(force);
   Eigen::VectorXd result = Eigen::VectorXd::Zero(size_);
   for (int i = 0; i < count; ++i) {
     const int cell = at_.active[i];

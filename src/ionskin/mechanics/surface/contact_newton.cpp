@@ -36,10 +36,13 @@ bool has_positive_determinant(const Eigen::PartialPivLU<Eigen::MatrixXd>& factor
 void begin_anew(const ContactProblem& problem, const SliderStep& step, Iterate& iterate) {
   std::ranges::fill(iterate.force, 0.0);
   if (step.load.kind == LoadKind::force) {
-    const auto first = std::ranges::min_element(problem.gap) - problem.gap.begin();
+    int first = 0;
+    while (problem.free_gap(first) > problem.least_free_gap()) {
+      ++first;
+    }
     iterate.force[3 * static_cast<std::size_t>(first)] = step.load.value;
     iterate.indentation =
-        problem.gap[first] + problem.own_compliance(static_cast<int>(first), 0) * step.load.value;
+        problem.free_gap(first) + problem.own_compliance(first, 0) * step.load.value;
   }
 }
 

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <cmath>
 
 namespace ionskin::mechanics {
@@ -40,7 +41,27 @@ double ContactProblem::lagged_speed_of(int cell) const {
   return lagged_speed.empty() ? 0.0 : lagged_speed[static_cast<std::size_t>(cell)];
 }
 
+double ContactProblem::free_gap(int cell) const {
+  return gap[cell] + (by_others.empty() ? 0.0 : by_others[3 * static_cast<std::size_t>(cell)]);
+}
+
+double ContactProblem::least_free_gap() const {
+  double least = free_gap(0);
+  for (int cell = 1; cell < cells(); ++cell) {
+    least = std::min(least, free_gap(cell));
+  }
+  return least;
+}
+
 CellVector ContactProblem::surface_displacement(const CellVector& force) const {
+  CellVector result = own_displacement(force);
+  for (std::size_t at = 0; at < by_others.size(); ++at) {
+    result[at] += by_others[at];
+  }
+  return result;
+}
+
+CellVector ContactProblem::own_displacement(const CellVector& force) const {
   if (product) {
     CellVector moved = product->times(force);
     for (std::size_t c = 0; c < 2 && common != std::array<double, 2>{}; ++c) {

@@ -39,6 +39,8 @@ struct ContactProblem {
   std::vector<double> pull = {};
   /// Null, or C without a matrix, less `common`.
   std::shared_ptr<const finite_layers::CellProduct> product = {};
+  /// Displacement of the cells by other sliders on the skin; empty without [m].
+  CellVector by_others = {};
 
   int cells() const { return static_cast<int>(area.size()); }
   /// Compliance of one component against its own force, less `common`; in a direction in which the
@@ -51,7 +53,12 @@ struct ContactProblem {
   /// Largest pull of a cell [N], and by how much it falls with the opening [N/m].
   double largest_pull(int cell) const;
   double pull_slope(int cell) const;
+  /// Gap over the skin as it is without forces on the cells [m], and the least of any cell.
+  double free_gap(int cell) const;
+  double least_free_gap() const;
   /// C f.
+  CellVector own_displacement(const CellVector& force) const;
+  /// The same with the displacement by other sliders.
   CellVector surface_displacement(const CellVector& force) const;
   /// Largest tangential force of a cell under a normal force, along x, and its derivative [N], [1].
   double friction_limit(int cell, double normal_force, double slip, double time_step) const;

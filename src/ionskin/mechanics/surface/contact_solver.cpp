@@ -60,8 +60,7 @@ SurfaceState solve_contact_step(const ContactProblem& problem, const SliderStep&
                                              : relaxed_contact(problem, step, apart);
   }
   if (step.load.kind == LoadKind::force && step.load.value <= 0) {
-    return surface_state(problem, step, CellVector(start.size(), 0.0),
-                         *std::ranges::min_element(problem.gap), 0);
+    return surface_state(problem, step, CellVector(start.size(), 0.0), problem.least_free_gap(), 0);
   }
   ContactNewton newton;
   Iterate iterate{start, mean_indentation(problem, start)};
