@@ -145,8 +145,8 @@ class LiveTest(ProgramTest):
         trained = self.live("ball.toml", *coarse, "--tilt", "0.5", "--spin", "60", "--trajectories", "3", "--validation", "1",
                             "-o", "ball.live")
         self.assertEqual(trained.returncode, 0, trained.stderr)
-        rows = numpy.array([[0, 5, 100, 0, 0, 0], [0.2, 5, -1.5, 0, 0, 0], [0.4, 5, -1.5, 0.3, 0, 10], [0.6, 5.5, -1.5, 0.3, -0.2, 10],
-                            [0.8, 5.5, -1.2, 0, 0.4, 0], [1, 5.5, 100, 0, 0.4, 0]])
+        rows = numpy.array([[0, 5, 100, 0, 0, 0], [0.2, 5, -1.5, 0, 0, 0], [0.4, 5, -1.5, 0.3, 0, 10], [0.6, 5.3, -1.5, 0.3, -0.2, 10],
+                            [0.8, 5.3, -1.2, 0, 0.4, 0], [1, 5.3, 100, 0, 0.4, 0]])
         times = numpy.arange(1001) / 1000
         path = numpy.column_stack([numpy.interp(times, rows[:, 0], rows[:, i]) for i in range(1, 6)])
         numpy.savetxt(self.folder / "path.csv", numpy.column_stack([times, path[:, 0], numpy.full_like(times, 3), path[:, 1:]]),
@@ -163,7 +163,8 @@ class LiveTest(ProgramTest):
         signals = skin.run(times, numpy.column_stack([1e-3 * path[:, 0], numpy.full_like(times, 3e-3)]),
                            heights=1e-6 * path[:, 1], angles=numpy.radians(path[:, 2:]))
         self.assertFalse(signals.flags.any())
-        for name, share in (("normal_force", 0.01), ("moment_x", 0.02), ("moment_y", 0.02), ("moment_z", 0.05),
+        # The run finds coarse cells of its own, others than those of the training.
+        for name, share in (("normal_force", 0.01), ("moment_x", 0.05), ("moment_y", 0.05), ("moment_z", 0.05),
                             ("tangential_force_x", 0.02)):
             with self.subTest(name):
                 reference = numpy.interp(times, full["time"], full[name])
