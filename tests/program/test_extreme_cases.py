@@ -124,6 +124,18 @@ class ExtremeCases(ProgramTest):
                 self.assertLess(found["audits"]["equilibrium_residual"]["value"], 2e-3)
                 self.assertLess(found["audits"]["complementarity_residual"]["value"], 2e-3)
 
+    def test_platinum_on_a_soft_gel(self):
+        """Few cells at the edges of the slider bear the load on the stiff metal, and barely slip."""
+        for modulus, force, friction in (("300 kPa", 0.5, 0.2), ("30 kPa", 0.02, 0.3)):
+            with self.subTest(modulus):
+                edits = (f"materials.nafion.youngs_modulus={modulus}", f"motion.preload={force} N", f"contact.friction={friction}",
+                         "numerics.error_estimate=off")
+                self.run_case(ROOT / "cases" / "quick.toml", *(word for edit in edits for word in ("--set", edit)), "--only",
+                              "mechanics", "-o", "out", "--overwrite", "--quiet")
+                metrics = summary(self.folder / "out")["metrics"]
+                self.assertAlmostEqual(metrics["normal_force_slide"]["value"] / force, 1, 6)
+                self.assertAlmostEqual(metrics["tangential_force_slide"]["value"] / (friction * force), 1, 6)
+
     def test_errors_above_the_value_are_told(self):
         found = self.solved("rounded edges without friction")
         beyond = [name for name, error in found["error_estimate"].items()

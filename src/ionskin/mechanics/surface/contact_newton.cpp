@@ -13,6 +13,9 @@ namespace {
 
 constexpr double newton_tolerance = contact_tolerance / 10;
 constexpr int most_iterations = 30;
+/// The same of one that is patient, the iteration from which on it goes back where the residual
+/// grows, and how often it halves a step for that.
+constexpr int most_patient_iterations = 100, first_halved = 15, most_halvings = 4;
 /// Bounds of the solution by products. Cells turn to and fro where linear equations are solved more
 /// roughly.
 constexpr int most_iterations_by_products = 100;
@@ -62,6 +65,14 @@ void hold_turned(const ContactProblem& problem, const SliderStep& step, const It
   }
 }
 
+/// Takes the middle between two iterates.
+void go_half_back(const Iterate& before, Iterate& now) {
+  for (std::size_t i = 0; i < now.force.size(); ++i) {
+    now.force[i] = (now.force[i] + before.force[i]) / 2;
+  }
+  now.indentation = (now.indentation + before.indentation) / 2;
+}
+
 } // namespace
 
 void ContactNewton::factorise(const ContactLinearisation& equations, const Standing& at) {
@@ -93,13 +104,18 @@ void ContactNewton::settle(const ContactProblem& problem, const Standing& at, It
   }
 }
 
-bool ContactNewton::solve(const ContactProblem& problem, const SliderStep& step, Iterate& iterate) {
+bool ContactNewton::solve(const ContactProblem& problem, const SliderStep& step, Iterate& iterate,
+                          Patience patience) {
   if (step.load.kind == LoadKind::indentation) {
     iterate.indentation = step.load.value;
   }
-  Iterate now = iterate;
-  double last = std::numeric_limits<double>::infinity();
-  const int most = problem.product ? most_iterations_by_products : most_iterations;
+  Iterate now = iterate, before = iterate;
+  double last = std::numeric_limits<double>::infinity(), reached = last;
+  int halvings = 0;
+  const bool patient = patience == Patience::much && !problem.product;
+  const int most = problem.product ? most_iterations_by_products
+                   : patient       ? most_patient_iterations
+                                   : most_iterations;
   for (int i = 0; i < most; ++i) {
     iterations_ = i;
     Standing at(problem, step, now);
@@ -123,8 +139,18 @@ bool ContactNewton::solve(const ContactProblem& problem, const SliderStep& step,
     }
     if (at.active.empty()) {
       begin_anew(problem, step, now);
-      last = std::numeric_limits<double>::infinity();
+      last = reached = std::numeric_limits<double>::infinity();
       continue;
+    }
+    if (patient && i >= first_halved && at.residual > reached && halvings < most_halvings) {
+      ++halvings;
+      go_half_back(before, now);
+      continue;
+    }
+    if (patient) {
+      halvings = 0;
+      reached = at.residual;
+      before = now;
     }
     if (problem.product) {
       equations.correct_by_products(reduction_by_products, now);

@@ -10,6 +10,10 @@
 
 namespace ionskin::mechanics {
 
+/// How long a solution is sought: as long as most take, or until nothing helps. Cells that barely
+/// slip on a stiff electrode over a soft core turn from one iteration to the next.
+enum class Patience { usual, much };
+
 /// Semi-smooth Newton on the projection form of contact and friction (Alart and Curnier 1991,
 /// doi 10.1016/0045-7825(91)90022-X), with the cells that touch as active set. Under a given force
 /// the indentation is one more unknown and the sum of the normal forces one more equation. The
@@ -20,7 +24,8 @@ public:
   /// @param iterate start on entry, such as the state before; the solution on return when converged
   /// @returns whether it converged, to 1e-10 of the largest normal force, and with adhesion to an
   /// equilibrium that can last
-  bool solve(const ContactProblem& problem, const SliderStep& step, Iterate& iterate);
+  bool solve(const ContactProblem& problem, const SliderStep& step, Iterate& iterate,
+             Patience patience = Patience::usual);
 
   int iterations() const { return iterations_; } ///< of the last solve
   int factorisations() const { return factorisations_; }

@@ -15,8 +15,8 @@ struct SurfaceState {
   double indentation = 0; ///< given, or found to carry the given force [m]
 };
 
-/// One step by itself, by `ContactNewton`. A force of 0 leaves the slider just touching. Throws
-/// SolverError where Newton's method finds no solution.
+/// One step by itself, by `ContactNewton`, and where that fails under loads that grow to it. A
+/// force of 0 leaves the slider just touching. Throws SolverError where no solution is found.
 /// @param start forces to start from, such as those of the state before [N]
 SurfaceState solve_contact_step(const ContactProblem& problem, const SliderStep& step,
                                 const CellVector& start);
