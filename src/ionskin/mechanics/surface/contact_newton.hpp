@@ -10,8 +10,8 @@
 
 namespace ionskin::mechanics {
 
-/// How long a solution is sought: as long as most take, or until nothing helps. Cells that barely
-/// slip on a stiff electrode over a soft core turn from one iteration to the next.
+/// Patience with which a solution is sought: as long as most take, or until nothing helps. Cells
+/// that barely slip on a stiff electrode over a soft core turn from one iteration to the next.
 enum class Patience { usual, much };
 
 /// Semi-smooth Newton on the projection form of contact and friction (Alart and Curnier 1991,

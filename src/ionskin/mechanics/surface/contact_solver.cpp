@@ -34,9 +34,9 @@ double mean_indentation(const ContactProblem& problem, const CellVector& force) 
       "lower contact.friction, or change numerics.mesh_refinement");
 }
 
-/// From the first touch on under loads of which each is twice as heavy as the one before: most
-/// cells that touch then touched under half of it, where a stiff electrode on a soft core lets
-/// Newton's method diverge that begins with none.
+/// Solves loads from the first touch on of which each is twice as heavy as the one before. Most
+/// cells that touch then touched under half of it; on a stiff electrode over a soft core Newton's
+/// method diverges where it begins with none.
 Iterate solve_by_growing_loads(const ContactProblem& problem, const SliderStep& step) {
   constexpr int doublings = 12;
   const double first_touch = step.load.kind == LoadKind::force ? 0.0 : problem.least_free_gap();
