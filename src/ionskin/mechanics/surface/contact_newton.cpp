@@ -13,8 +13,8 @@ namespace {
 
 constexpr double newton_tolerance = contact_tolerance / 10;
 constexpr int most_iterations = 30;
-/// The same of one that is patient, the iteration from which on it goes back where the residual
-/// grows, and how often it halves a step for that.
+/// Bounds of a patient solution: its iterations, the first of which a step is halved where the
+/// residual grows, and the times that it is halved.
 constexpr int most_patient_iterations = 100, first_halved = 15, most_halvings = 4;
 /// Bounds of the solution by products. Cells turn to and fro where linear equations are solved more
 /// roughly.
@@ -40,8 +40,8 @@ void begin_anew(const ContactProblem& problem, const SliderStep& step, Iterate& 
   std::ranges::fill(iterate.force, 0.0);
   if (step.load.kind == LoadKind::force) {
     int first = 0;
-    while (problem.free_gap(first) > problem.least_free_gap()) {
-      ++first;
+    for (int cell = 1; cell < problem.cells(); ++cell) {
+      first = problem.free_gap(cell) < problem.free_gap(first) ? cell : first;
     }
     iterate.force[3 * static_cast<std::size_t>(first)] = step.load.value;
     iterate.indentation =
