@@ -12,24 +12,35 @@ from .charts.chart import Axis, Cell, Chart, Curve, Mark, Note, current_axis, ov
 from .charts.colours import BLUE, GREEN, ORANGE, PALE, PURPLE, QUIET
 from .charts.spans import rows_within, sampled_label, slide_start
 from .page import report_text
+from .reading.sliders import suffix
 
 OPEN = "no current passes between open electrodes"
 
 
 def motion(results):
-    """Prescribed position of the slider and its phases."""
+    """Prescribed position of the sliders and their phases."""
     signals = results.signals
     if not signals.has("slider_x", "slider_z"):
         return None
-    time = signals["time"]
-    panels = [("Centre of the slider along the skin", Axis("position x", "m"), [Curve(time, signals["slider_x"])], 0.7)]
-    if skin.moves_across(results):
-        panels.append(("Centre of the slider across the skin", Axis("position y", "m"), [Curve(time, signals["slider_y"])], 0.7))
-    panels.append(("Underside of the slider above the undeformed skin", Axis("height z", "m"), [Curve(time, signals["slider_z"])], 0.7))
+
+    def curves(axis):
+        return [Curve(signals["time"], signals[f"slider_{axis}{end}"], name, colour) for name, end, colour in named_sliders(results)]
+
+    panels = [("Centre of the slider along the skin", Axis("position x", "m"), curves("x"), 0.7)]
+    if any(skin.moves_across(results, end) for _, end, _ in named_sliders(results)):
+        panels.append(("Centre of the slider across the skin", Axis("position y", "m"), curves("y"), 0.7))
+    panels.append(("Underside of the slider above the undeformed skin", Axis("height z", "m"), curves("z"), 0.7))
     chart = over_time(results, panels)
     (position,), *between, (height,) = chart.rows
     return chart._replace(rows=[[position._replace(spans=phase_spans(results, named=True))], *between,
                                 [height._replace(marks=(Mark(0.0, "", "y"),))]])
+
+
+def named_sliders(results):
+    """Name, suffix of the signals and colour of every slider; the only one needs no name."""
+    count = len(results.sliders)
+    return [(f"slider {number + 1}" if count > 1 else "", suffix(number), colour)
+            for number, colour in zip(range(count), (BLUE, ORANGE, GREEN, PURPLE))]
 
 
 def shear(results):
@@ -48,15 +59,20 @@ def shear(results):
 
 
 def forces(results):
-    """Normal and tangential force on the full skin."""
+    """Normal and tangential force of every slider on the full skin."""
     signals = results.signals
     if not signals.has("normal_force"):
         return None
-    time, tangential = signals["time"], signals["tangential_force"]
-    if skin.moves_across(results) and signals.has("tangential_force_x", "tangential_force_y"):
-        tangential = numpy.hypot(signals["tangential_force_x"], signals["tangential_force_y"])  # tangential_force is along the first slide
-    return over_time(results, [("Force on the full skin", Axis("force", "N"),
-                                [Curve(time, signals["normal_force"], "normal"), Curve(time, tangential, "tangential", ORANGE)], 1.0)])
+    panels = []
+    for name, end, _ in named_sliders(results):
+        tangential = signals[f"tangential_force{end}"]
+        if skin.moves_across(results, end) and signals.has(f"tangential_force_x{end}", f"tangential_force_y{end}"):
+            # tangential_force is along the first slide
+            tangential = numpy.hypot(signals[f"tangential_force_x{end}"], signals[f"tangential_force_y{end}"])
+        panels.append(("Force on the full skin" + (f", {name}" if name else ""), Axis("force", "N"),
+                       [Curve(signals["time"], signals[f"normal_force{end}"], "normal"),
+                        Curve(signals["time"], tangential, "tangential", ORANGE)], 1.0))
+    return over_time(results, panels)
 
 
 def currents(results):

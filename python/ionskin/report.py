@@ -40,7 +40,7 @@ def timing(results):
 def case_summary(results):
     """Summary of the case that was simulated."""
     layers = pages.Table(("layer, top first", "role", "material", "thickness"), report_text.layers(results.case))
-    groups = report_text.case_groups(results.case)
+    groups = report_text.case_groups(results.case, results.sliders[1:])
     return {"layers": layers, "groups": groups} if groups or layers.rows else None
 
 

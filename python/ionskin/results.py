@@ -12,6 +12,7 @@ import numpy
 from .errors import CaseError
 from .reading import files, labelled
 from .reading.hdf5 import open_hdf5
+from .reading.sliders import cases_of_sliders
 from .reading.unfinished import mechanics, reason
 
 TEXT_COLUMNS = ("phase",)
@@ -182,10 +183,11 @@ class Results:
         with whole(self.folder / "summary.json"):
             self.circuit_words = {name: str(text) for name, text in _object(self.summary, "circuit").items()}
         case = self.folder / "case.toml"
-        self.case = {}
+        self.case, self.sliders = {}, [{}]
         if case.exists():
             with whole(case):
-                self.case = tomllib.loads(files.read_text(case, files.LARGEST_JSON))
+                self.sliders = cases_of_sliders(tomllib.loads(files.read_text(case, files.LARGEST_JSON)))
+                self.case = self.sliders[0]
 
     def _gave_up(self):
         """True where a study did not come to its end: the tables of such a run end where it gave up."""

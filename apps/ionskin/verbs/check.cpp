@@ -59,8 +59,10 @@ void check_case(const CheckOptions& options, const CaseDocument& document,
   if (contact) {
     // The mesh has a say too: it refuses sliders that leave no room for an element at the skin's
     // edge.
-    mesh::SkinMesh{document.input};
-    mechanics::require_touch(document.input);
+    for (const Case& slider : cases_of_sliders(document.input)) {
+      mesh::SkinMesh{slider};
+      mechanics::require_touch(slider);
+    }
   }
   const std::string shortage = planning::shortage(document.input, threads, footprint);
   print_valid(options, document,

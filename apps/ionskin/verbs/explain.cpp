@@ -333,8 +333,13 @@ std::string explain(const CaseDocument& document, const planning::CostEstimate& 
   const Case& input = document.input;
   std::string text = values(document) + scales_of_ions(input) +
                      (moves_water(input) ? scales_of_water(input) : "") + scales_of_readout(input);
-  if (input.strain.kind == StrainSourceKind::contact)
-    text += scales_of_contact(input) + events(input);
+  if (input.strain.kind == StrainSourceKind::contact) {
+    const std::vector<Case> sliders = cases_of_sliders(input);
+    for (std::size_t i = 0; i < sliders.size(); ++i) {
+      text += sliders.size() > 1 ? fmt::format("\nslider[{}]\n", i) : "";
+      text += scales_of_contact(sliders[i]) + events(sliders[i]);
+    }
+  }
   return text + costs(cost);
 }
 

@@ -150,12 +150,16 @@ def core_sections(file, results, share):
     spans = {span.phase: span for span in reversed(results.phases())}
     slide = spans.get("slide")
     instants = (spans["touchdown"].end, (slide.start + slide.end) / 2) if slide else (time[0], time[-1])
-    middle = strain["gamma"].shape[2] // 2
-    centres = (x[1:] + x[:-1]) / 2
+    rides = strain.attrs["frame"] != "skin"  # the grid with the slider
+    y = (strain["grid/y"][1:] + strain["grid/y"][:-1]) / 2
     # As far to both sides of the footprint as the core is thick several times over: beyond there is nothing to see.
     reach = float(numpy.abs(file["contact/grid/x"][...]).max()) + 4 * z[-1]
-    shown, cells = numpy.abs(centres) <= reach, []
+    cells = []
     for instant, words in zip(instants, ("end of touchdown", "mid-slide")):
+        place = [0.0 if rides else float(numpy.interp(instant, results.signals["time"], results.signals[f"slider_{axis}"])) for axis in "xy"]
+        centres = (x[1:] + x[:-1]) / 2 - place[0]
+        shown = numpy.abs(centres) <= reach
+        middle = strain["gamma"].shape[2] // 2 if rides else int(numpy.abs(y - place[1]).argmin())
         section = strain["gamma"][int(numpy.abs(time - instant).argmin()), :, middle, :]
         top = capped(numpy.abs(section), numpy.diff(x), share)
         signed = bool(section[:, shown].min() < UNDERSHOOT * section[:, shown].max())

@@ -8,6 +8,7 @@ import numpy
 from ..analysis import derived
 from ..quantity import si
 from ..words import quantity, short, si_scale
+from ..reading.sliders import suffix
 from .chart import Axis, Cell, Chart, Curve, Map, Note, Shape, current_axis, limits, phase_spans, with_events
 from .colours import BLUE, GREEN, ORANGE, PURPLE, SEQUENCE, mixed
 from .spans import peak_of
@@ -169,17 +170,20 @@ def skin_size(results, name, otherwise):
 
 
 def slider_path(results):
-    """The way of the slider's centre, dashed, where it is known."""
-    try:
-        y = si(results.case["slider"]["start"])[1]
-    except (KeyError, ValueError, IndexError):
-        return []
-    direction = results.case.get("motion", {}).get("direction", [1, 0])
-    if not results.signals.has("slider_x") or (not direction[1:] == [0] and direction[1]):
-        return []
-    x = results.signals["slider_x"]
-    way = numpy.array([[numpy.nanmin(x), y], [numpy.nanmax(x), y]])
-    return [Shape([way], None, ORANGE, 1.4, "dashed", "way of the slider's centre")]
+    """The ways of the sliders' centres, dashed, where they are known."""
+    ways = []
+    for number, case in enumerate(results.sliders):
+        name = f"slider_x{suffix(number)}"
+        try:
+            y = si(case["slider"]["start"])[1]
+        except (KeyError, ValueError, IndexError):
+            return []
+        direction = case.get("motion", {}).get("direction", [1, 0])
+        if not results.signals.has(name) or (not direction[1:] == [0] and direction[1]):
+            return []
+        x = results.signals[name]
+        ways.append(numpy.array([[numpy.nanmin(x), y], [numpy.nanmax(x), y]]))
+    return [Shape(ways, None, ORANGE, 1.4, "dashed", "way of the slider's centre")]
 
 
 def taxel_charges(results):

@@ -6,32 +6,41 @@ import numpy
 from ..quantity import si
 from ..words import short
 from .chart import Axis, Cell, Chart, Note, Shape
-from .colours import INK
+from ..reading.sliders import suffix
+from .colours import BLUE, GREEN, INK, PURPLE
 from .underside import Underside, read_heights
 
 ROLE_COLOURS = {"electrode": "#a9b1bd", "core": "#7fc4b0"}
 SLIDER_COLOUR = "#e3a27c"
 SLIDER_SHADES = {"top": "#ecbda1", "cut": SLIDER_COLOUR, "side": "#cf8a62"}
+SLIDER_COLOURS = (SLIDER_SHADES["side"], BLUE, PURPLE, GREEN)  # of several, seen from above
 MAGNIFIED = 5  # the skin's thickness in the view of the model
 ELEVATION, AZIMUTH = numpy.radians((22.0, -66.0))  # of the eye, which is far away
 ARROW = 0.35  # length of the head [mm]
 
 
-def geometry(results):
-    """Skin, slider and motion in metres, or None without a contact."""
-    case = results.case
+def geometries(results):
+    """What `geometry` tells of every slider; empty without a contact, or with one that cannot be drawn."""
+    found = [geometry(results, number) for number in range(len(results.sliders))]
+    return [] if None in found else found
+
+
+def geometry(results, number=0):
+    """Skin, slider and motion in metres, or None without a contact. `number` is the slider's place in the list of the case."""
+    case, end = results.sliders[number], suffix(number)
     if case.get("strain", {}).get("source") == "file" or "slider" not in case:
         return None
     try:
         skin, slider, motion = case["skin"], case["slider"], case["motion"]
         if motion.get("kind") == "waypoints":
             signals = results.signals
-            way = {"start": [float(signals[f"slider_{axis}"][0]) for axis in "xy"], "gap": max(0.0, float(signals["slider_z"][0])),
-                   "stroke": 0.0, "direction": [1, 0], "path": numpy.column_stack([signals["slider_x"], signals["slider_y"]])}
+            way = {"start": [float(signals[f"slider_{axis}{end}"][0]) for axis in "xy"],
+                   "gap": max(0.0, float(signals[f"slider_z{end}"][0])), "stroke": 0.0, "direction": [1, 0],
+                   "path": numpy.column_stack([signals[f"slider_x{end}"], signals[f"slider_y{end}"]])}
         else:
             way = {"start": si(slider["start"]), "gap": si(motion["gap"]), "stroke": si(motion["stroke"]),
                    "direction": motion.get("direction", [1, 0]), "path": None}
-        return {"length": si(skin["length"]), "width": si(skin["width"]), "slider": Underside(slider, read_heights(results)), **way,
+        return {"length": si(skin["length"]), "width": si(skin["width"]), "slider": Underside(slider, read_heights(results, end)), **way,
                 "layers": [(layer["name"], layer["role"], layer["material"], si(layer["thickness"]))
                            for layer in skin["layers"]]}
     except (KeyError, ValueError):
@@ -106,47 +115,61 @@ def skin(shape):
     return found, height
 
 
-def model(results):
-    """The skin and the slider above it; None without a slider that can be drawn."""
-    shape = geometry(results)
-    if shape is None:
-        return None
-    shapes, height = skin(shape)
-    slider, length, width = shape["slider"], shape["length"] * 1e3, shape["width"] * 1e3
-    start, gap, body = numpy.array(shape["start"]) * 1e3, shape["gap"] * 1e3, slider.depth * 1e3
-    notes = [f"Thickness of the skin drawn {MAGNIFIED} times", "the slider's height is not part of the model"]
+def body(shape, height, name):
+    """Outlines of a slider with its way, words beside it, and a note on how it is drawn, above a surface at a height [mm]."""
+    slider, start, gap, deep = shape["slider"], numpy.array(shape["start"]) * 1e3, shape["gap"] * 1e3, shape["slider"].depth * 1e3
+    label = slider_words(slider).replace("slider", name, 1)
+    note = ""
     if slider.sharp:
         half = slider.half_size * 1e3
-        shapes.append(box((*(start - half), height + gap), (*(start + half), height + gap + body), SLIDER_COLOUR, slider_words(slider)))
+        shapes = [box((*(start - half), height + gap), (*(start + half), height + gap + deep), SLIDER_COLOUR, label)]
         lowest = start + half * (1, -1)
     else:
-        shapes += half_body(slider, start, height + gap, slider_words(slider))
+        shapes = half_body(slider, start, height + gap, label)
         across, rise = (values[0] for values in slider.lines(0.0))
         middle = numpy.lexsort((numpy.abs(across), rise))[0]  # of the lowest places that nearest to the centre
         lowest = start + (1e3 * across[middle], 0.0)
-        notes.insert(1, "the slider is cut along its middle")
+        note = "the slider is cut along its middle"
     way = numpy.array([*(numpy.array(shape["direction"]) / numpy.linalg.norm(shape["direction"]) * shape["stroke"] * 1e3), 0.0])
-    above = numpy.array([*start, height + gap + body])
+    above = numpy.array([*start, height + gap + deep])
     if way.any():
         shapes += arrow(above, way)
     if shape["path"] is not None:
         path = numpy.column_stack([shape["path"] * 1e3, numpy.full(len(shape["path"]), height)])
-        shapes.append(Shape([seen(path[~numpy.isnan(path).any(axis=1)])], None, width=1.2, look="dashed", label="way of the slider's centre"))
+        shapes.append(Shape([seen(path[~numpy.isnan(path).any(axis=1)])], None, width=1.2, look="dashed", label=f"way of the {name}'s centre"))
     shapes.append(Shape([seen([(*lowest, height), (*lowest, height + gap)])], None, width=0.8))
     words = [*([Note(*seen(above + way + (0, 0, 0.25)), f"stroke {shape['stroke'] * 1e3:.4g} mm")] if way.any() else []),
-             Note(*seen((lowest[0] + 0.2, lowest[1], height + gap / 2)), f"gap {gap:.4g} mm", boxed=True),
-             Note(*seen((length / 2, 0, -0.35)), f"length {length:.4g} mm (x)", "end"),
-             Note(*seen((length + 0.35, width / 2, 0)), f"width {width:.4g} mm (y)")]
+             Note(*seen((lowest[0] + 0.2, lowest[1], height + gap / 2)), f"gap {gap:.4g} mm", boxed=True)]
+    return shapes, words, note
+
+
+def model(results):
+    """The skin and the sliders above it; None without a slider that can be drawn."""
+    found = geometries(results)
+    if not found:
+        return None
+    shapes, height = skin(found[0])
+    words, remarks = [], [f"Thickness of the skin drawn {MAGNIFIED} times"]
+    for number, shape in enumerate(found):
+        own, beside, remark = body(shape, height, f"slider {number + 1}" if len(found) > 1 else "slider")
+        shapes += own
+        words += [note for note in beside if note.words not in {other.words for other in words}]  # each measure once
+        remarks += [remark] if remark and remark not in remarks else []
+    remarks.append("the slider's height is not part of the model")
+    length, width = found[0]["length"] * 1e3, found[0]["width"] * 1e3
+    words += [Note(*seen((length / 2, 0, -0.35)), f"length {length:.4g} mm (x)", "end"),
+              Note(*seen((length + 0.35, width / 2, 0)), f"width {width:.4g} mm (y)")]
     corners = numpy.concatenate([outline for each in shapes for outline in each.outlines])
     low, high = corners.min(axis=0) - (0.3, 0.8), corners.max(axis=0) + (2.5, 0.5)
     return Chart([[Cell("", Axis("", "1", low[0], high[0]), Axis("", "1", low[1], high[1]), shapes=tuple(shapes), notes=tuple(words),
-                        equal=True, bare=True)]], note="; ".join(notes) + ".")
+                        equal=True, bare=True)]], note="; ".join(remarks) + ".")
 
 
-def moves_across(results):
-    """True where the slider's centre leaves a line along the skin."""
+def moves_across(results, end=""):
+    """True where the centre of a slider, by the suffix of its signals, leaves a line along the skin."""
     signals = results.signals
-    return bool(signals.has("slider_y") and numpy.nanmax(signals["slider_y"]) - numpy.nanmin(signals["slider_y"]) > 1e-9)
+    name = f"slider_y{end}"
+    return bool(signals.has(name) and numpy.nanmax(signals[name]) - numpy.nanmin(signals[name]) > 1e-9)
 
 
 def outline(slider, centre):
@@ -159,19 +182,24 @@ def outline(slider, centre):
 
 
 def plan(results):
-    """Skin, slider and path from above, for paths that leave a line along the skin; None for others."""
-    shape = geometry(results)
-    if shape is None or not results.signals.has("slider_x") or not moves_across(results):
+    """Skin, sliders and paths from above, for several sliders and for paths that leave a line along the skin; None for others."""
+    found = geometries(results)
+    ends = [suffix(number) for number in range(len(found))]
+    if not found or not results.signals.has("slider_x") or not (len(found) > 1 or moves_across(results)):
         return None
-    way = numpy.column_stack([results.signals[f"slider_{axis}"] for axis in "xy"])
-    way = way[~numpy.isnan(way).any(axis=1)]
-    slider, skin_edge = outline(shape["slider"], way[0]), numpy.array([(0, 0), (1, 0), (1, 1), (0, 1)]) * (shape["length"], shape["width"])
-    shapes = (Shape([skin_edge], ROLE_COLOURS["electrode"], INK, label="skin"), Shape([slider], None, SLIDER_SHADES["side"], 1.4, label="slider"),
-              Shape([way], None, INK, 1.2, "dashed", "way of its centre"))
-    corners = numpy.concatenate([skin_edge, slider, way])
+    skin_edge = numpy.array([(0, 0), (1, 0), (1, 1), (0, 1)]) * (found[0]["length"], found[0]["width"])
+    shapes, notes = [Shape([skin_edge], ROLE_COLOURS["electrode"], INK, label="skin")], []
+    for number, (shape, end) in enumerate(zip(found, ends)):
+        name = f"slider {number + 1}" if len(found) > 1 else "slider"
+        way = numpy.column_stack([results.signals[f"slider_{axis}{end}"] for axis in "xy"])
+        way = way[~numpy.isnan(way).any(axis=1)]
+        shapes += [Shape([outline(shape["slider"], way[0])], None, SLIDER_COLOURS[number], 1.4, label=name),
+                   Shape([way], None, INK, 1.2, "dashed", "" if number else "way of its centre")]
+        drawn = shape["slider"]
+        if drawn.radius is not None:
+            notes.append(f"Of the {drawn.shape} its lowest {drawn.depth * 1e3:.2g} mm are drawn.")
+    corners = numpy.concatenate([part for each in shapes for part in each.outlines])
     low, high = corners.min(axis=0), corners.max(axis=0)
     room = 0.03 * (high - low).max()
-    drawn = shape["slider"]
-    note = f"Of the {drawn.shape} its lowest {drawn.depth * 1e3:.2g} mm are drawn." if drawn.radius is not None else ""
-    return Chart([[Cell("", Axis("x", "m", low[0] - room, high[0] + room), Axis("y", "m", low[1] - room, high[1] + room), shapes=shapes,
-                        equal=True)]], note=note)
+    return Chart([[Cell("", Axis("x", "m", low[0] - room, high[0] + room), Axis("y", "m", low[1] - room, high[1] + room),
+                        shapes=tuple(shapes), equal=True)]], note=" ".join(dict.fromkeys(notes)))

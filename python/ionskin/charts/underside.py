@@ -83,14 +83,14 @@ def arc(radius, distance):
     return radius - numpy.sqrt(numpy.maximum(0.0, radius**2 - numpy.square(distance)))
 
 
-def read_heights(results):
-    """Heights that a run states of its slider, as a function of x and y [m], or None where it states none."""
+def read_heights(results, end=""):
+    """Heights that a run states of a slider, by the suffix of its names, as a function of x and y [m]; None where it states none."""
     if not (results.folder / "results.h5").exists():
         return None
     with results.open_fields() as file:
-        if "slider" not in file:
+        if f"slider{end}" not in file:
             return None
-        x, y, heights = (file["slider"][name][...] for name in ("x", "y", "height"))
+        x, y, heights = (file[f"slider{end}"][name][...] for name in ("x", "y", "height"))
     return interpolated(x, y, heights)
 
 

@@ -47,6 +47,8 @@ class Touches:
     def __init__(self, case: Case, count: int, *, seed: int = 1, vary=()) -> None:
         if count < 1:
             raise CaseError(f"{count} touches\n  = give at least one")
+        if "slider[0].start" in case:
+            raise CaseError("slider: the touches of a store are of one slider, and this case has a list of them\n  = write one section [slider]")
         self.case, self.seed, self.redrawn = case.copy(), seed, 0
         self.case["readout.sample_interval"] = 1 / RATE
         self.case["output.fields"] = []  # which the store does not hold

@@ -46,6 +46,7 @@ INSTANTS = {"touchdown": "end of touchdown", "slide": "mid-slide"}
 SIDES = {"top": "current, top", "bottom": "current, bottom", "difference": "difference current", "common": "common current"}
 KINDS = {"peak": "Peak resolved", "rms": "Rms of the", "peak_sampled": "Peak sampled"}
 CURRENT = re.compile(r"(peak|rms|peak_sampled)_current_(top|bottom|difference|common)")
+OF_SLIDER = re.compile(r"(.*[a-z])_([2-9])")  # of several, but for the first
 SHARES = ("stick_fraction", "micro_slip_force_ratio", "min_concentration_ratio", "streaming_share", "taxel_crosstalk")
 PRECURSORS = {"correlation": "Correlation of the {} current with the stuck share", "current": "Change of the {} current before full slip",
               "lead_time": "The {} current shows slip this long before full slip",
@@ -83,6 +84,8 @@ def words(name):
 
 def known_words(name):
     """The same, "" for one that is not known here."""
+    if (found := OF_SLIDER.fullmatch(name)) is not None and (own := known_words(found[1])):
+        return f"{own}, slider {found[2]}"
     if (found := CURRENT.fullmatch(name)) is not None:
         return f"{KINDS[found[1]]} {SIDES[found[2]]}"
     if name in NAMES:
@@ -112,12 +115,15 @@ def column_words(table, name):
     if name.startswith("current_") and name.removeprefix("current_") in SIDES:
         side = SIDES[name.removeprefix("current_")]
         return f"Sampled {side}" if table == "sampled" else side.capitalize()
+    if (found := OF_SLIDER.fullmatch(name)) is not None and found[1] in COLUMNS:
+        return f"{COLUMNS[found[1]]}, slider {found[2]}"
     return COLUMNS.get(name) or words(name)
 
 
 def is_share(name):
     """True for numbers that a reader wants in percent."""
-    return name.removesuffix("_touchdown").removesuffix("_slide") in SHARES
+    found = OF_SLIDER.fullmatch(name)
+    return (found[1] if found else name).removesuffix("_touchdown").removesuffix("_slide") in SHARES
 
 
 def explained_by(name):

@@ -125,8 +125,8 @@ def taxels(value):
     return f"{value['rows']} rows × {value['columns']} columns" + (" that cross" if value.get("wiring") == "crossbar" else "")
 
 
-def case_groups(case):
-    """Pairs of heading and entries for every part of the case."""
+def case_groups(case, sliders=()):
+    """Pairs of heading and entries for every part of the case. `sliders` are the cases of further sliders."""
     groups = []
     for key, heading in CASE_GROUPS.items():
         entries = [(name.replace("_", " "), readable(value, " × " if name == "size" else ", ")) for name, value in case.get(key, {}).items()
@@ -139,10 +139,21 @@ def case_groups(case):
             entries.append(("contact", "one end"))
         if entries:
             groups.append((heading, entries))
+    for number, further in enumerate(sliders, 2):
+        groups += further_slider(case, further, number)
     for name, material in case.get("materials", {}).items():
         groups.append((f"Material {name}", [(key.replace("_", " ").replace("youngs", "Young's").replace(
             "poissons", "Poisson's"), readable(value)) for key, value in material.items()]))
     return groups
+
+
+def further_slider(case, further, number):
+    """Groups of a slider beside the first: what it is, and where its motion and contact differ."""
+    own = {"slider": further.get("slider", {})} | {
+        key: {name: value for name, value in further.get(key, {}).items() if value != case.get(key, {}).get(name)}
+        for key in ("motion", "contact")}
+    return [(f"Slider {number}" if heading == CASE_GROUPS["slider"] else f"{heading} of slider {number}", entries)
+            for heading, entries in case_groups(own)]
 
 
 def metric_rows(results):
@@ -222,6 +233,8 @@ def law(results):
 def contact_caption(results):
     """Caption of the contact maps; what it says of their colours follows the slider."""
     where = "Under the slider and in its frame, seen from above; last row: section through the core at mid-width."
+    if len(results.sliders) > 1:
+        where = where.replace("the slider", "the first slider")
     if not has_sharp_edges(results.case.get("slider", {})):
         return where
     return (where + " Under sharp edges the peaks depend on the mesh: the colours end where 95 % of the area (tractions) and "

@@ -318,6 +318,13 @@ struct Output {
   std::vector<double> fields; ///< instants at which fields are written [s]
 };
 
+/// A slider of a case beside the first one, on the same skin.
+struct FurtherSlider {
+  Slider slider;
+  Motion motion;
+  Contact contact;
+};
+
 /// One study as plain values in SI units; `read_case` makes it and checks it.
 struct Case {
   std::string title;
@@ -325,6 +332,8 @@ struct Case {
   Slider slider;
   Motion motion;
   Contact contact;
+  /// Of a list [[slider]]: `slider`, `motion` and `contact` are those of its first entry.
+  std::vector<FurtherSlider> further_sliders;
   Electrochemistry electrochemistry;
   Coupling coupling;
   Water water;
@@ -341,6 +350,12 @@ struct Case {
   /// True if the potential varies along the metal of an electrode.
   bool has_sheet_resistance() const;
 };
+
+/// Largest number of sliders of a case.
+inline constexpr std::size_t most_sliders = 4;
+
+/// One case for each slider, in order, in which it is alone on the skin.
+std::vector<Case> cases_of_sliders(const Case& input);
 
 /// Between symmetry planes a slider over the whole width, wherever it goes, makes plane strain.
 bool covers_width(const Case& input);

@@ -38,6 +38,19 @@ std::array<bool, 2> Slider::symmetric() const {
   return underside()->symmetric(plan());
 }
 
+std::vector<Case> cases_of_sliders(const Case& input) {
+  Case alone = input;
+  alone.further_sliders.clear();
+  std::vector<Case> cases(1 + input.further_sliders.size(), alone);
+  for (std::size_t i = 0; i < input.further_sliders.size(); ++i) {
+    const FurtherSlider& further = input.further_sliders[i];
+    cases[i + 1].slider = further.slider;
+    cases[i + 1].motion = further.motion;
+    cases[i + 1].contact = further.contact;
+  }
+  return cases;
+}
+
 bool covers_width(const Case& input) {
   if (input.skin.sides != SideCondition::symmetry)
     return false;

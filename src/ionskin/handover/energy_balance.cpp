@@ -6,6 +6,15 @@
 #include <cmath>
 
 namespace ionskin::handover {
+namespace {
+
+void set_errors(EnergyBalance& balance) {
+  const double all = balance.magnitude;
+  balance.relative_error = all > 0 ? std::abs(balance.missing) / all : 0;
+  balance.creation_error = all > 0 ? balance.created / all : 0;
+}
+
+} // namespace
 
 EnergyBalance energy_balance(const ContactTimeline& timeline,
                              const mechanics::ContactSolution& contact) {
@@ -41,11 +50,26 @@ EnergyBalance energy_balance(const ContactTimeline& timeline,
   constexpr double rounding = 1e-9; // of steps that might have jumped and did not
   const bool jumps = std::abs(contact.adhesion_loss) > rounding * all_work;
   balance.adhesion_loss = jumps ? contact.adhesion_loss : 0.0;
-  const double missing = balance.external_work - balance.friction_work - balance.elastic_energy -
-                         balance.adhesion_loss;
-  balance.relative_error = all_work > 0 ? std::abs(missing) / all_work : 0;
-  balance.creation_error = all_work > 0 ? contact.created_energy / all_work : 0;
+  balance.missing = balance.external_work - balance.friction_work - balance.elastic_energy -
+                    balance.adhesion_loss;
+  balance.magnitude = all_work;
+  balance.created = contact.created_energy;
+  set_errors(balance);
   return balance;
+}
+
+EnergyBalance energy_balance(const std::vector<EnergyBalance>& of_each) {
+  EnergyBalance sum;
+  for (const EnergyBalance& one : of_each) {
+    for (const auto part :
+         {&EnergyBalance::external_work, &EnergyBalance::friction_work,
+          &EnergyBalance::elastic_energy, &EnergyBalance::adhesion_loss, &EnergyBalance::magnitude,
+          &EnergyBalance::missing, &EnergyBalance::created}) {
+      sum.*part += one.*part;
+    }
+  }
+  set_errors(sum);
+  return sum;
 }
 
 } // namespace ionskin::handover

@@ -3,6 +3,8 @@
 
 #include "ionskin/handover/contact_timeline.hpp"
 
+#include <vector>
+
 namespace ionskin::handover {
 
 /// Balance of the work that the slider does on the skin in one cycle.
@@ -21,11 +23,18 @@ struct EnergyBalance {
   /// Energy that friction creates, over the same sum. Friction may only take: every cell in every
   /// step of contact, those between the samples among them.
   double creation_error = 0;
+  double magnitude = 0; ///< sum of the magnitudes of the slider's work [J]
+  double missing = 0;   ///< work that the balance does not find [J]
+  double created = 0;   ///< by friction [J]
 };
 
 /// Sums over the samples of the timeline by the trapezoidal rule, by which the elastic energy
 /// f.C.f/2 is balanced exactly at a fixed position.
 EnergyBalance energy_balance(const ContactTimeline& timeline,
                              const mechanics::ContactSolution& contact);
+
+/// Balance of several sliders on one skin, of which each by itself does not have one: they do work
+/// on one another.
+EnergyBalance energy_balance(const std::vector<EnergyBalance>& of_each);
 
 } // namespace ionskin::handover

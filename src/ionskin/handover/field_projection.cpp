@@ -7,7 +7,6 @@
 #include <utility>
 
 namespace ionskin::handover {
-namespace {
 
 history::StrainField reflected_field(const history::StrainField& half, std::size_t levels,
                                      std::size_t rows, std::size_t columns) {
@@ -24,8 +23,6 @@ history::StrainField reflected_field(const history::StrainField& half, std::size
   }
   return full;
 }
-
-} // namespace
 
 FieldProjection::FieldProjection(const Case& input, const mesh::SkinMesh& mesh,
                                  const MotionBox& box)

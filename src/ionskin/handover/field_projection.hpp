@@ -14,6 +14,11 @@
 
 namespace ionskin::handover {
 
+/// A field of the half y <= width / 2, continued by reflection to the whole width.
+/// @param levels, rows, columns of the half
+history::StrainField reflected_field(const history::StrainField& half, std::size_t levels,
+                                     std::size_t rows, std::size_t columns);
+
 /// Projection from the points of mechanics::CoreStrain to a field on the grid that rides with
 /// the slider: means over its cells, linear through the thickness.
 class FieldProjection {

@@ -1,63 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/handover/handover.hpp"
 
-#include "ionskin/base/error.hpp"
-#include "ionskin/case/coupling.hpp"
 #include "ionskin/handover/field_projection.hpp"
-#include "ionskin/handover/measures/compressive_dilation.hpp"
+#include "ionskin/handover/strain_channels.hpp"
 #include "ionskin/handover/strain_grid.hpp"
-#include "ionskin/laws/shear/shear_measure.hpp"
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <map>
 #include <utility>
 
 namespace ionskin::handover {
 namespace {
-
-/// Six components of the strain at the points of CoreStrain of a combination of states, each
-/// [z][y][x].
-std::array<std::vector<double>, 6> gauss_strain(const StateCombination& combination) {
-  std::array<std::vector<double>, 6> strain;
-  for (const auto& term : combination.terms) {
-    const mechanics::CoreStrain& own = mechanics::core_strain(*term.state);
-    for (std::size_t c = 0; c < 6; ++c) {
-      strain[c].resize(own.component[c].size(), 0.0);
-      for (std::size_t i = 0; i < own.component[c].size(); ++i) {
-        strain[c][i] += term.weight * own.component[c][i];
-      }
-    }
-  }
-  return strain;
-}
-
-/// Shear at the points of CoreStrain of a combination of states, [z][y][x].
-std::vector<double> gauss_shear(const std::string& measure, const StateCombination& combination) {
-  return laws::evaluate_shear(laws::shear_measure(measure), gauss_strain(combination));
-}
-
-/// A channel that the handover makes, by its value at the points of CoreStrain.
-struct ChannelRule {
-  const char* name;
-  std::function<std::vector<double>(const StateCombination&)> at_points;
-};
-
-std::vector<ChannelRule> channel_rules(const Case& input) {
-  std::vector<ChannelRule> rules{
-      {history::channel_name::shear, [&input](const StateCombination& combination) {
-         return gauss_shear(input.coupling.measure, combination);
-       }}};
-  if (moves_water(input)) {
-    rules.push_back({history::channel_name::dilation, [](const StateCombination& combination) {
-                       return compressive_dilation(gauss_strain(combination));
-                     }});
-  }
-  return rules;
-}
 
 /// Arguments on which a field depends: the states with their weights, and the slider's place.
 /// Detached, only the former.
@@ -73,20 +27,6 @@ FieldKey field_key(const StateCombination& combination) {
     key.second = combination.centre;
   }
   return key;
-}
-
-/// A NaN of the contact would otherwise be found by the ion transport, far from its cause.
-void require_finite(const history::StrainField& field, const Case& input, double time) {
-  const auto bad = static_cast<std::size_t>(std::count_if(
-      field.begin(), field.end(), [](double value) { return !std::isfinite(value); }));
-  if (bad > 0) {
-    throw SolverError(
-        fmt::format(
-            "the contact under the friction law \"{}\" (contact.friction = {:.4g}) ended in a "
-            "shear that is not a finite number, in {} of {} cells at t = {:.4g} s",
-            input.contact.law, input.contact.friction, bad, field.size(), time),
-        "check the friction law and the materials, or change numerics.mesh_refinement");
-  }
 }
 
 /// Box of the motion, and of the places to which a drive let the slider go beside it.
@@ -124,7 +64,7 @@ history::CoreHistory build_strain_history(const Case& input,
   history.width = input.skin.width;
   history.grid = projection.grid();
   const auto field_at = [&](const ChannelRule& rule, const StateCombination& combination) {
-    return projection.at(rule.at_points(combination),
+    return projection.at(rule.at_points(strain_at_points(combination)),
                          core_strain(*combination.terms.front().state).points, combination.centre);
   };
 
@@ -184,7 +124,7 @@ double mechanics_shear_integral(const Case& input, const mesh::SkinMesh& mesh,
   }
   const auto lines = mesh.lines(combination.centre);
   const auto z_lines = core_lines(mesh, lines);
-  const auto shear = gauss_shear(input.coupling.measure, combination);
+  const auto shear = channel_rules(input).front().at_points(strain_at_points(combination));
   const auto points = core_strain(*combination.terms.front().state).points;
   const auto weight = [](const std::vector<double>& line, std::size_t point) {
     return 0.5 * (line[point / 2 + 1] - line[point / 2]);

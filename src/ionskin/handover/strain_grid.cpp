@@ -13,16 +13,6 @@ namespace {
 
 constexpr double outer_cell_growth = 1.4;
 
-/// Longest cell beside the footprint [m]. Strain decays there over the thickness of the skin;
-/// coarser cells cost 0.1 % in the current. Where that is thin against the skin, cells of an 80th
-/// of its length only stand where the strain has decayed already.
-double outer_cell_limit(const Skin& skin) {
-  // The thickness is rounded to a picometre: how the thicknesses round as they are read and added
-  // must not show.
-  const double thickness = std::round(skin.thickness() * 1e12) / 1e12;
-  return std::max(thickness, skin.length / 80);
-}
-
 /// Cell edges outward from an edge at 0 to `extent`, growing from `first` up to `limit`.
 std::vector<double> graded_cells(double first, double extent, double limit) {
   std::vector<double> edges;
@@ -85,6 +75,16 @@ std::vector<double> reflected_edges(std::vector<double> half) {
 }
 
 } // namespace
+
+// Strain decays there over the thickness of the skin;
+// coarser cells cost 0.1 % in the current. Where that is thin against the skin, cells of an 80th
+// of its length only stand where the strain has decayed already.
+double outer_cell_limit(const Skin& skin) {
+  // The thickness is rounded to a picometre: how the thicknesses round as they are read and added
+  // must not show.
+  const double thickness = std::round(skin.thickness() * 1e12) / 1e12;
+  return std::max(thickness, skin.length / 80);
+}
 
 std::vector<double> core_lines(const mesh::SkinMesh& mesh, const mesh::MeshLines& lines) {
   const auto rows = mesh.core_z();

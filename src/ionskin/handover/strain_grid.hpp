@@ -16,6 +16,9 @@ struct CoreGrid {
   std::vector<double> x_edges, y_edges, z_lines;
 };
 
+/// Longest cell beside the footprint [m].
+double outer_cell_limit(const Skin& skin);
+
 /// Grid of the core. In a direction in which the slider moves its cells ride with it: those of the
 /// mesh under it, and beside them cells that grow and cover the core from every place.
 /// @param box of the slider's places

@@ -8,6 +8,7 @@
 #include "ionskin/mechanics/path/find_footprint.hpp"
 #include "ionskin/mechanics/path/path_resolution.hpp"
 #include "ionskin/mechanics/skin/skin_reach.hpp"
+#include "ionskin/mesh/skin_mesh.hpp"
 
 #include <fmt/format.h>
 
@@ -15,12 +16,15 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <string_view>
 #include <utility>
 
 namespace ionskin::mechanics {
 namespace {
 
 constexpr int most_passes = 12;
+/// Share that a pass takes of the progress that is left: a few passes are usual.
+constexpr double share_of_pass = 0.4;
 
 void require_together(const std::vector<Case>& sliders) {
   for (std::size_t i = 0; i < sliders.size(); ++i) {
@@ -113,27 +117,54 @@ void require_apart(const std::vector<Case>& sliders,
   }
 }
 
+bool all_on_middle(const std::vector<Case>& sliders,
+                   const std::vector<mesh::Footprint>& footprints) {
+  for (std::size_t i = 0; i < sliders.size(); ++i) {
+    if (!mesh::SkinMesh(sliders[i], footprints[i]).half_model()) {
+      return false;
+    }
+  }
+  return true;
+}
+
 } // namespace
+
+void require_sliders_apart(const std::vector<Case>& sliders) {
+  std::vector<mesh::Footprint> footprints;
+  for (const Case& one : sliders) {
+    footprints.push_back(one.slider.sharp() ? mesh::largest_footprint(one) : mesh::Footprint{});
+  }
+  require_apart(sliders, footprints);
+}
 
 std::vector<ContactSolution> solve_sliders(const std::vector<Case>& sliders,
                                            const ContactOptions& options, base::Timers& timers) {
   require_together(sliders);
   std::vector<mesh::Footprint> footprints;
   for (const Case& one : sliders) {
-    footprints.push_back(find_footprint(one, one.contact.friction, options.threads).footprint);
+    footprints.push_back(
+        find_footprint(one, one.contact.friction, options.threads, options.progress).footprint);
   }
   require_apart(sliders, footprints);
   ContactOptions own = options;
-  own.full_model = true; // a force beside the middle of the width is not mirrored
+  // Half of the skin serves where all of them press on its middle.
+  own.full_model = !all_on_middle(sliders, footprints);
+  own.unfinished = nullptr; // one slider's path alone is nobody's result
   const double resolution = path_resolution(sliders.front().numerics),
                tolerance = resolution * resolution;
+  const auto count = static_cast<double>(sliders.size());
   std::vector<ContactSolution> solutions;
   std::vector<ForcePath> paths;
-  double change = 0;
+  double change = 0, done = 0;
   for (int pass = 0; pass < most_passes; ++pass) {
     change = 0;
+    const double share = share_of_pass * (1 - done);
     for (std::size_t i = 0; i < sliders.size(); ++i) {
       base::check_interrupt();
+      const double before = done + share * static_cast<double>(i) / count;
+      own.progress = [&, before](std::string_view activity, double fraction) {
+        options.progress(activity, before + share * fraction / count);
+      };
       auto others = std::make_shared<std::vector<ForcePath>>();
       for (std::size_t j = 0; j < paths.size(); ++j) {
         if (j != i) {
@@ -155,7 +186,9 @@ std::vector<ContactSolution> solve_sliders(const std::vector<Case>& sliders,
       solutions[i] = std::move(solution);
       paths[i] = std::move(path);
     }
+    done += share;
     if (sliders.size() == 1 || (pass > 0 && change <= tolerance)) {
+      options.progress("mechanics", 1.0);
       return solutions;
     }
   }

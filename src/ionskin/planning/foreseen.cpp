@@ -9,6 +9,7 @@
 #include "ionskin/electrochemistry/equations/wall_potential.hpp"
 #include "ionskin/electrochemistry/grid/derived_scales.hpp"
 #include "ionskin/laws/coupling/coupling_law.hpp"
+#include "ionskin/mechanics/solve_sliders.hpp"
 #include "ionskin/planning/contact_estimate.hpp"
 
 #include <fmt/format.h>
@@ -113,24 +114,41 @@ void judge_times(const Case& input, std::vector<std::string>& warnings) {
         run, relaxation));
 }
 
+/// Warnings on one slider alone on the skin.
+/// @param name of the slider, before each warning; empty for the only one
+void judge_slider(const Case& input, const std::string& name,
+                  const std::optional<mesh::Footprint>& found, std::vector<std::string>& warnings) {
+  std::vector<std::string> own;
+  const ContactEstimate contact = estimate_contact(input, found);
+  judge_charge(input, contact, own);
+  judge_times(input, own);
+  const double indentation = mesh::heaviest_load(input).indentation / input.skin.thickness();
+  if (indentation > large_indentation)
+    own.push_back(
+        fmt::format("the slider indents by {} of the skin's thickness, and strains are taken as "
+                    "small\n  = indent by less than {} (motion.preload, or the waypoints' height)",
+                    base::percent(indentation), base::percent(large_indentation)));
+  for (const std::string& warning : own)
+    warnings.push_back(name + warning);
+}
+
 } // namespace
 
 std::vector<std::string> foreseen(const Case& input, const std::optional<mesh::Footprint>& found) {
   std::vector<std::string> warnings;
   if (input.strain.kind != StrainSourceKind::contact)
     return warnings;
-  const ContactEstimate contact = estimate_contact(input, found);
-  judge_charge(input, contact, warnings);
   if (!moves_water(input) && input.coupling.coefficient == 0.0)
     warnings.push_back("no current will flow: coupling.coefficient is 0\n  = give it another "
                        "value, or leave Study 2 out (run --only mechanics)");
-  judge_times(input, warnings);
-  const double indentation = mesh::heaviest_load(input).indentation / input.skin.thickness();
-  if (indentation > large_indentation)
-    warnings.push_back(
-        fmt::format("the slider indents by {} of the skin's thickness, and strains are taken as "
-                    "small\n  = indent by less than {} (motion.preload, or the waypoints' height)",
-                    base::percent(indentation), base::percent(large_indentation)));
+  if (input.further_sliders.empty()) {
+    judge_slider(input, "", found, warnings);
+    return warnings;
+  }
+  const std::vector<Case> sliders = cases_of_sliders(input);
+  mechanics::require_sliders_apart(sliders);
+  for (std::size_t i = 0; i < sliders.size(); ++i)
+    judge_slider(sliders[i], fmt::format("slider[{}]: ", i), std::nullopt, warnings);
   return warnings;
 }
 

@@ -5,6 +5,7 @@
 #include "ionskin/case/coupling.hpp"
 #include "ionskin/case/slider_motion.hpp"
 #include "ionskin/finite_layers/fields/states_at_once.hpp"
+#include "ionskin/handover/fixed_grid.hpp"
 #include "ionskin/handover/strain_grid.hpp"
 #include "ionskin/mechanics/coarser_solutions.hpp"
 #include "ionskin/mechanics/engine/drive_room.hpp"
@@ -158,8 +159,64 @@ std::vector<const char*> coarser_names(const Case& input) {
 
 } // namespace
 
+namespace {
+
+/// Passes over the paths of several sliders, until their forces agree.
+constexpr double passes = 3;
+
+/// Cost of several sliders, which are solved one after another and in passes, beside their coarser
+/// solutions, each with a thread of its own, and whose strain is kept on a grid that does not ride.
+MechanicsCost estimate_sliders_cost(const Case& input, int threads) {
+  const std::vector<Case> sliders = cases_of_sliders(input);
+  std::vector<mesh::SkinMesh> meshes;
+  std::vector<const mesh::SkinMesh*> all;
+  const bool half =
+      std::ranges::all_of(sliders, [](const Case& one) { return expected_mesh(one).half_model(); });
+  for (const Case& one : sliders) {
+    meshes.emplace_back(one, mesh::expected_footprint(one),
+                        half ? mesh::MeshedPart::half_if_symmetric : mesh::MeshedPart::whole);
+  }
+  for (const mesh::SkinMesh& mesh : meshes) {
+    all.push_back(&mesh);
+  }
+  MechanicsCost cost;
+  double work = 0, ways = 0, kept = 0;
+  for (std::size_t i = 0; i < sliders.size(); ++i) {
+    const GridCost own(sliders[i], meshes[i]);
+    const mechanics::ExpectedSteps steps = mechanics::expected_steps(sliders[i]);
+    work += passes * (own.skin_seconds() + own.path_seconds(steps)) + own.strain_seconds(steps);
+    cost.contact_cells += static_cast<std::size_t>(own.cells);
+    cost.steps += steps.taken;
+    cost.memory += skin_memory(meshes[i], own.size) + own.rows +
+                   std::max(own.contact_memory(1), own.strain_memory(1));
+    kept += static_cast<double>(steps.kept);
+    for (const MotionLeg& leg : motion_legs(sliders[i].motion, sliders[i].slider)) {
+      ways += leg.touches() ? leg.length() : 0;
+    }
+  }
+  const handover::CoreGrid grid = handover::fixed_core_grid(sliders, all);
+  const double values = (moves_water(input) ? 4.0 : 1.0) * // twice the levels and channels
+                        static_cast<double>((grid.x_edges.size() - 1) * (grid.y_edges.size() - 1) *
+                                            grid.z_lines.size());
+  const double samples = kept + ways / handover::fixed_cell_width(input);
+  // Coarser solutions have a quarter of the cells, and half the samples.
+  const auto coarser = static_cast<double>(coarser_names(input).size() + 1);
+  const double all_work = input.numerics.error_estimate ? work * (1 + 0.5 * coarser) : work;
+  cost.histories =
+      sizeof(double) * values * samples * (input.numerics.error_estimate ? 1 + coarser / 8 : 1);
+  cost.seconds = std::max(work, all_work / threads);
+  cost.further_seconds = cost.seconds;
+  cost.memory += cost.histories;
+  return cost;
+}
+
+} // namespace
+
 MechanicsCost estimate_mechanics_cost(const Case& input, int threads,
                                       const std::optional<mesh::Footprint>& found) {
+  if (!input.further_sliders.empty()) {
+    return estimate_sliders_cost(input, threads);
+  }
   const mesh::SkinMesh mesh = found ? mesh::SkinMesh(input, *found) : expected_mesh(input);
   const GridCost own(input, mesh);
   const mechanics::ExpectedSteps steps = mechanics::expected_steps(input);

@@ -4,6 +4,7 @@
 #include "ionskin/base/error.hpp"
 #include "ionskin/readout/electrode_current.hpp"
 #include "ionskin/readout/phases.hpp"
+#include "ionskin/readout/slider_suffix.hpp"
 
 #include <fmt/format.h>
 
@@ -40,6 +41,27 @@ void add_currents(SignalTable& table, const SignalInputs& inputs) {
   table.columns.push_back({"current_bottom", "A", std::move(currents.bottom)});
   table.columns.push_back({"current_difference", "A", std::move(currents.difference)});
   table.columns.push_back({"current_common", "A", std::move(currents.common)});
+}
+
+void add_further_slider(const SliderInputs& slider, const std::string& suffix, std::size_t rows,
+                        SignalTable& table) {
+  const auto add = [&](const char* name, const char* unit, const std::vector<double>& values) {
+    table.columns.push_back(required(name + suffix, unit, values, rows));
+  };
+  add("slider_x", "m", slider.slider_x);
+  add("slider_y", "m", slider.slider_y);
+  add("slider_z", "m", slider.slider_z);
+  add("normal_force", "N", slider.normal_force);
+  add("tangential_force", "N", slider.tangential_force);
+  add("tangential_force_x", "N", slider.tangential_force_x);
+  add("tangential_force_y", "N", slider.tangential_force_y);
+  add("moment_x", "N m", slider.moment_x);
+  add("moment_y", "N m", slider.moment_y);
+  add("moment_z", "N m", slider.moment_z);
+  add("contact_area", "m2", slider.contact_area);
+  add("stick_share", "1", slider.stick_share);
+  add("slip", "m", slider.slip);
+  add("slip_state", "1", slider.slip_state);
 }
 
 } // namespace
@@ -93,6 +115,9 @@ SignalTable build_signal_table(const SignalInputs& inputs) {
     table.columns.push_back(required("drive_y", "m", inputs.drive_y, rows));
     table.columns.push_back(required("drive_force_x", "N", inputs.drive_force_x, rows));
     table.columns.push_back(required("drive_force_y", "N", inputs.drive_force_y, rows));
+  }
+  for (std::size_t i = 0; i < inputs.further_sliders.size(); ++i) {
+    add_further_slider(inputs.further_sliders[i], slider_suffix(i + 1), rows, table);
   }
   return table;
 }

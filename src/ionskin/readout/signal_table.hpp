@@ -9,12 +9,9 @@
 
 namespace ionskin::readout {
 
-/// Everything signals.csv is made of, one entry per row. The motion and the forces may be left
-/// empty (runs from a strain file): their columns then hold no values.
-struct SignalInputs {
-  std::vector<double> time;             ///< [s], strictly ascending
-  std::vector<int> cycle;               ///< from 1
-  std::vector<std::string> phase;       ///< touchdown, slide, lift, return
+/// Motion and forces of one slider, one entry per row; empty in runs from a strain file, whose
+/// columns then hold no values.
+struct SliderInputs {
   std::vector<double> slider_x;         ///< centre [m]
   std::vector<double> slider_y;         ///< centre [m]
   std::vector<double> slider_z;         ///< underside above the undeformed top face [m]
@@ -22,11 +19,19 @@ struct SignalInputs {
   std::vector<double> tangential_force; ///< of the full skin, along the first slide [N]
   std::vector<double> tangential_force_x, tangential_force_y; ///< of the full skin [N]
   std::vector<double> moment_x, moment_y,
-      moment_z;                           ///< on the skin, about the slider's centre [N m]
-  std::vector<double> contact_area;       ///< of the full skin [m2]
-  std::vector<double> stick_share;        ///< of that area, where nothing slips, 0 to 1
-  std::vector<double> slip;               ///< mean over the contact since it began [m]
-  std::vector<double> slip_state;         ///< numbers of SlipState
+      moment_z;                     ///< on the skin, about the slider's centre [N m]
+  std::vector<double> contact_area; ///< of the full skin [m2]
+  std::vector<double> stick_share;  ///< of that area, where nothing slips, 0 to 1
+  std::vector<double> slip;         ///< mean over the contact since it began [m]
+  std::vector<double> slip_state;   ///< numbers of SlipState
+};
+
+/// Everything signals.csv is made of, one entry per row. The members of the base are those of the
+/// first slider.
+struct SignalInputs : SliderInputs {
+  std::vector<double> time;               ///< [s], strictly ascending
+  std::vector<int> cycle;                 ///< from 1
+  std::vector<std::string> phase;         ///< touchdown, slide, lift, return
   std::vector<double> mean_shear;         ///< volume mean over the core [1]
   std::vector<double> rms_shear;          ///< [1]
   std::vector<double> p99_shear;          ///< percentile by volume [1]
@@ -36,6 +41,8 @@ struct SignalInputs {
   // Columns of a slider on a drive; left empty, their columns are left out.
   std::vector<double> drive_x, drive_y;             ///< end of the drive [m]
   std::vector<double> drive_force_x, drive_force_y; ///< of the drive on the slider [N]
+  /// Of a case with several: columns of each with `slider_suffix` behind all others.
+  std::vector<SliderInputs> further_sliders;
 };
 
 /// Fills cycle, phase, slider_x and slider_y at the rows of `inputs.time` from the prescribed

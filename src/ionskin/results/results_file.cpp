@@ -80,13 +80,14 @@ void ResultsFile::write_ions(const electrochemistry::TransportGrid& grid,
   }
 }
 
-void ResultsFile::write_contact(const ContactMaps& contact) {
-  file_.remove("/contact");
-  file_.write_with_unit("/contact/grid/x", contact.cell_lines_x, "m");
-  file_.write_with_unit("/contact/grid/y", contact.cell_lines_y, "m");
+void ResultsFile::write_contact(const ContactMaps& contact, const std::string& suffix) {
+  const std::string root = "/contact" + suffix;
+  file_.remove(root);
+  file_.write_with_unit(root + "/grid/x", contact.cell_lines_x, "m");
+  file_.write_with_unit(root + "/grid/y", contact.cell_lines_y, "m");
   const Hdf5File::Shape shape{contact.cell_lines_y.size() - 1, contact.cell_lines_x.size() - 1};
   for (const ContactMap& map : contact.maps) {
-    const std::string group = "/contact/" + map.state;
+    const std::string group = root + "/" + map.state;
     file_.write_with_unit(group + "/pressure", map.pressure, "Pa", shape);
     file_.write_with_unit(group + "/shear_x", map.shear_x, "Pa", shape);
     file_.write_with_unit(group + "/shear_y", map.shear_y, "Pa", shape);
@@ -97,12 +98,13 @@ void ResultsFile::write_contact(const ContactMaps& contact) {
   }
 }
 
-void ResultsFile::write_slider(const Slider& slider) {
-  file_.remove("/slider");
+void ResultsFile::write_slider(const Slider& slider, const std::string& suffix) {
+  const std::string root = "/slider" + suffix;
+  file_.remove(root);
   const SliderSurface surface = slider_surface(slider);
-  file_.write_with_unit("/slider/x", surface.x, "m");
-  file_.write_with_unit("/slider/y", surface.y, "m");
-  file_.write_with_unit("/slider/height", surface.height, "m",
+  file_.write_with_unit(root + "/x", surface.x, "m");
+  file_.write_with_unit(root + "/y", surface.y, "m");
+  file_.write_with_unit(root + "/height", surface.height, "m",
                         {surface.y.size(), surface.x.size()});
 }
 

@@ -33,10 +33,12 @@ public:
   /// snapshot under /ions/TIME, the grid under /ions/grid.
   void write_ions(const electrochemistry::TransportGrid& grid,
                   const std::vector<electrochemistry::IonSnapshot>& snapshots);
-  void write_contact(const ContactMaps& contact);
-  /// The slider's underside for drawings: places /slider/x and /slider/y from its centre [m], and
-  /// the height above its lowest point there, /slider/height [y, x] in m.
-  void write_slider(const Slider& slider);
+  /// @param suffix of the slider, after /contact
+  void write_contact(const ContactMaps& contact, const std::string& suffix = "");
+  /// The slider's underside for drawings, with its suffix after /slider: places /slider/x and
+  /// /slider/y from its centre [m], and the height above its lowest point there, /slider/height [y,
+  /// x] in m.
+  void write_slider(const Slider& slider, const std::string& suffix = "");
   /// @param name "case" or "manifest"
   void write_text(const std::string& name, const std::string& text);
 

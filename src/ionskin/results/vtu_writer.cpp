@@ -25,7 +25,7 @@ constexpr const char* layers_prefix = "layers";
 constexpr const char* contact_prefix = "contact";
 constexpr const char* slider_prefix = "slider";
 
-std::string name_of(const char* prefix, std::size_t instant) {
+std::string name_of(const std::string& prefix, std::size_t instant) {
   return fmt::format("{}_{:04}.vtu", prefix, instant);
 }
 
@@ -177,10 +177,10 @@ void write_fields(OutputFolder& folder, const electrochemistry::TransportGrid& g
   }
 }
 
-void write_skin(OutputFolder& folder, const Slider& slider, std::size_t instant,
-                const SkinSnapshot& snapshot) {
+void write_skin(OutputFolder& folder, const Slider& slider, const std::string& suffix,
+                std::size_t instant, const SkinSnapshot& snapshot) {
   const auto write = [&](const char* prefix, const VtuGrid& grid) {
-    write_vtu(folder.own(in_folder(name_of(prefix, instant))), snapshot.time, grid);
+    write_vtu(folder.own(in_folder(name_of(prefix + suffix, instant))), snapshot.time, grid);
   };
   write(layers_prefix, layers_of(snapshot.skin));
   write(contact_prefix, contact_of(snapshot));
@@ -190,11 +190,18 @@ void write_skin(OutputFolder& folder, const Slider& slider, std::size_t instant,
                                            shifted(snapshot.cell_y, -snapshot.centre[1]))));
 }
 
-void write_collection(OutputFolder& folder, const std::vector<double>& instants) {
+void write_collection(OutputFolder& folder, const std::vector<double>& instants,
+                      const std::vector<std::string>& suffixes) {
+  std::vector<std::string> prefixes{core_prefix};
+  for (const std::string& suffix : suffixes) {
+    for (const char* prefix : {layers_prefix, contact_prefix, slider_prefix}) {
+      prefixes.push_back(prefix + suffix);
+    }
+  }
   std::string collection;
   for (std::size_t i = 0; i < instants.size(); ++i) {
     int part = 0;
-    for (const char* prefix : {core_prefix, layers_prefix, contact_prefix, slider_prefix}) {
+    for (const std::string& prefix : prefixes) {
       const std::string name = name_of(prefix, i);
       if (std::filesystem::exists(folder.file(in_folder(name)))) {
         collection += fmt::format(

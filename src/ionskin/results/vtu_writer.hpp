@@ -6,6 +6,7 @@
 #include "ionskin/results/skin_snapshot.hpp"
 
 #include <cstddef>
+#include <string>
 #include <vector>
 
 namespace ionskin::results {
@@ -21,13 +22,17 @@ void write_fields(OutputFolder& folder, const electrochemistry::TransportGrid& g
 
 /// Skin and slider, as layers_0000.vtu with displacement [m] at points, and in cells the number of
 /// the layer, counted from 0 at the bottom, and stress [Pa]; contact_0000.vtu with traction,
-/// pressure [Pa] and displacement [m] of the cells on the undeformed top face; slider_0000.vtu.
+/// pressure [Pa] and displacement [m] of the cells on the undeformed top face; slider_0000.vtu. Of
+/// several sliders each has files of its own, and layers hold what its forces alone do.
+/// @param suffix of the slider, behind the first word of each name
 /// @param instant its number from 0
-void write_skin(OutputFolder& folder, const Slider& slider, std::size_t instant,
-                const SkinSnapshot& snapshot);
+void write_skin(OutputFolder& folder, const Slider& slider, const std::string& suffix,
+                std::size_t instant, const SkinSnapshot& snapshot);
 
 /// fields.pvd, which opens all of these that are there.
 /// @param instants ascending [s]
-void write_collection(OutputFolder& folder, const std::vector<double>& instants);
+/// @param suffixes of the sliders
+void write_collection(OutputFolder& folder, const std::vector<double>& instants,
+                      const std::vector<std::string>& suffixes);
 
 } // namespace ionskin::results

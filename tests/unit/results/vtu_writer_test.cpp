@@ -25,7 +25,7 @@ TEST(VtuWriter, WritesOneFilePerInstantAndTheCollection) {
   const ScratchFolder folder;
   OutputFolder results(folder.path(), ExistingFolder::refuse);
   write_fields(results, grid(), 1e-5, {snapshot(0), snapshot(1.5)});
-  write_collection(results, {0, 1.5});
+  write_collection(results, {0, 1.5}, {"", "_2"});
   const std::string vtu = read_all(folder / "fields/fields_0001.vtu");
   // Two columns of two elements, four points at each of three levels.
   EXPECT_NE(vtu.find("NumberOfPoints=\"24\" NumberOfCells=\"4\""), std::string::npos);
@@ -62,8 +62,9 @@ TEST(VtuWriter, OpensSkinAndSliderBesideTheCore) {
   ball.parameters = {{"radius", 1e-3}};
   ball.size = {2e-3, 2e-3};
   write_fields(results, grid(), 1e-5, {snapshot(0), snapshot(1.5)});
-  write_skin(results, ball, 1, pressed());
-  write_collection(results, {0, 1.5});
+  write_skin(results, ball, "", 1, pressed());
+  write_skin(results, ball, "_2", 1, pressed());
+  write_collection(results, {0, 1.5}, {"", "_2"});
   const std::string layers = read_all(folder / "fields/layers_0001.vtu");
   EXPECT_NE(layers.find("Name=\"stress\" NumberOfComponents=\"6\" ComponentName0=\"XX\""),
             std::string::npos);

@@ -14,6 +14,7 @@
 #include "ionskin/case/document/materials.hpp"
 #include "ionskin/case/document/missing_keys.hpp"
 #include "ionskin/case/document/set_edit.hpp"
+#include "ionskin/case/document/slider_list.hpp"
 #include "ionskin/case/document/taxel_grid.hpp"
 #include "ionskin/case/document/toml_walk.hpp"
 #include "ionskin/case/document/waypoint_file.hpp"
@@ -36,13 +37,24 @@ namespace {
 namespace fs = std::filesystem;
 
 // The written case must run from any folder, so a file that it names gets an absolute path.
-void anchor_file(const CaseDocument& document, const std::string& key, std::string& file,
+// @param name of the key in the text
+void anchor_file(const CaseDocument& document, const std::string& name, std::string& file,
                  CaseText& text) {
   if (file.empty() || fs::path(file).is_absolute())
     return;
   const fs::path folder = fs::absolute(document.file).parent_path();
   file = (folder / file).lexically_normal().string();
-  apply_set_edits(text, {key + "=" + file});
+  apply_set_edits(text, {name + "=" + file});
+}
+
+void anchor_files(const TomlText& values, std::size_t slider, CaseDocument& document,
+                  CaseText& text) {
+  const auto anchor = [&](const std::string& key, std::string& file) {
+    anchor_file(document, listed_key(values, slider, key), file, text);
+  };
+  anchor("strain.file", document.input.strain.file);
+  anchor("motion.file", document.input.motion.file);
+  anchor("slider.profile", document.input.slider.profile);
 }
 
 void take_waypoints(Case& input) {
@@ -111,37 +123,35 @@ CaseDocument read_case_document(const std::string& path,
   return read_case_text(base::read_text_file(path, "case", toml_limits::bytes), path, set_edits);
 }
 
-CaseDocument read_case_text(const std::string& original, const std::string& path,
-                            const std::vector<std::string>& set_edits) {
-  CaseText text(path, original);
-  TomlText values = apply_set_edits(text, set_edits);
-  const std::optional<EditedChoices> choices =
-      fit_to_edited_choices(text, values, original, set_edits);
-  Problems problems;
+namespace {
+
+// The keys of a case of one slider, and what stands for those that are missing.
+CaseDocument walk_document(const CaseText& text, const TomlText& values, const std::string& path,
+                           const std::optional<EditedChoices>& choices, Problems problems) {
   TomlWalk walk(text, values, problems);
   walk.visit();
   complete_materials(walk, problems);
   complete(walk, path, choices, problems);
   resolve_materials(walk, problems);
-
   CaseDocument document(std::move(walk.draft.input), path,
                         in_order_of_schema(std::move(walk.records)));
   check_water_keys(document, problems);
   check_prescribed_keys(document, problems);
   problems.throw_if_any(path);
-  anchor_file(document, "strain.file", document.input.strain.file, text);
-  anchor_file(document, "motion.file", document.input.motion.file, text);
-  anchor_file(document, "slider.profile", document.input.slider.profile, text);
-  if (document.input.strain.kind == StrainSourceKind::contact)
-    settle_slider(document.input.slider);
-  take_waypoints(document.input);
-  settle_pose(document.input);
-  Readout& readout = document.input.readout;
-  if (readout.taxels.empty())
-    readout.taxels = taxels_of(readout.taxel_grid, document.input.skin);
-  document.input.text = text.text();
-  document.input.values = values_text(document.records);
-  check_case(document);
+  return document;
+}
+
+// What follows from the keys.
+void settle(Case& input) {
+  if (input.strain.kind == StrainSourceKind::contact)
+    settle_slider(input.slider);
+  take_waypoints(input);
+  settle_pose(input);
+  if (input.readout.taxels.empty())
+    input.readout.taxels = taxels_of(input.readout.taxel_grid, input.skin);
+}
+
+void add_notes(const std::optional<EditedChoices>& choices, CaseDocument& document) {
   if (choices && !choices->left_out.empty())
     document.input.notes.push_back(
         fmt::format("Without a meaning with {}, and left out of the case: {}.", choices->words,
@@ -152,16 +162,49 @@ CaseDocument read_case_text(const std::string& original, const std::string& path
       document.input.notes.push_back(std::move(note));
     }
   }
-  return document;
+}
+
+} // namespace
+
+CaseDocument read_case_text(const std::string& original, const std::string& path,
+                            const std::vector<std::string>& set_edits) {
+  CaseText text(path, original);
+  TomlText values = apply_set_edits(text, set_edits);
+  const std::size_t listed = listed_sliders(values);
+  const std::optional<EditedChoices> choices =
+      listed > 0 ? std::nullopt : fit_to_edited_choices(text, values, original, set_edits);
+  std::vector<CaseDocument> documents;
+  for (std::size_t i = 0; i < std::max<std::size_t>(1, listed); ++i) {
+    documents.push_back(walk_document(text, listed > 0 ? with_slider(values, i) : values, path,
+                                      choices,
+                                      Problems(listed > 1 ? fmt::format("slider[{}]: ", i) : "")));
+  }
+  for (std::size_t i = 0; i < documents.size(); ++i)
+    anchor_files(values, i, documents[i], text);
+  for (CaseDocument& document : documents) {
+    settle(document.input);
+    document.input.text = text.text();
+    document.input.values = values_text(document.records);
+    check_case(document);
+  }
+  add_notes(choices, documents.front());
+  if (listed == 0)
+    return std::move(documents.front());
+  CaseDocument joined = joined_sliders(values, std::move(documents));
+  joined.input.values = values_text(joined.records);
+  return joined;
 }
 
 void check_values(const std::string& original, const std::string& name,
                   const std::vector<std::string>& set_edits) {
   CaseText text(name, original);
   const TomlText values = apply_set_edits(text, set_edits);
-  Problems problems;
-  TomlWalk(text, values, problems).visit();
-  problems.throw_if_any(name);
+  const std::size_t listed = listed_sliders(values);
+  for (std::size_t i = 0; i < std::max<std::size_t>(1, listed); ++i) {
+    Problems problems;
+    TomlWalk(text, listed > 0 ? with_slider(values, i) : values, problems).visit();
+    problems.throw_if_any(name);
+  }
 }
 
 Case read_case(const std::string& path, const std::vector<std::string>& set_edits) {

@@ -92,6 +92,12 @@ std::string key_pattern(const std::string& key) {
   const std::size_t end = pattern.find('.', materials.size());
   if (pattern.starts_with(materials) && end != std::string::npos)
     pattern.replace(materials.size(), end - materials.size(), "NAME");
+  const std::string listed = "slider[].";
+  if (pattern.starts_with(listed)) {
+    pattern.erase(0, listed.size());
+    if (!pattern.starts_with("motion.") && !pattern.starts_with("contact."))
+      pattern.insert(0, "slider.");
+  }
   return pattern;
 }
 

@@ -125,7 +125,9 @@ struct ListEntry {
 /// Empty for keys that do not end in an index, and for those of tables such as "skin.layers[1]".
 std::optional<ListEntry> list_entry(const std::string& key);
 
-/// The pattern that a key of a case follows: "skin.layers[].name" of "skin.layers[1].name".
+/// The pattern that a key of a case follows: "skin.layers[].name" of "skin.layers[1].name". Keys in
+/// an entry of a list of sliders follow those of the only slider: "motion.stroke" of
+/// "slider[1].motion.stroke".
 std::string key_pattern(const std::string& key);
 
 } // namespace ionskin

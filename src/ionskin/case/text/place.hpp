@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace ionskin {
@@ -30,6 +31,9 @@ std::string excerpt(const Pointer& pointer);
 /// once.
 class Problems {
 public:
+  /// @param of what all of them are found in, put before each message: "slider[1]: "
+  explicit Problems(std::string of = "") : of_(std::move(of)) {}
+
   /// @param message what is wrong, with the actual value
   /// @param pointers the offending places; two when two keys conflict; may be empty
   /// @param remedy what to do; may be empty when the message says it
@@ -44,6 +48,7 @@ public:
   void throw_if_any(const std::string& file) const;
 
 private:
+  std::string of_;
   std::vector<std::string> texts_;
 };
 

@@ -108,6 +108,12 @@ TomlText::TomlText(std::string text, const std::string& file)
   }
 }
 
+TomlText TomlText::with_root(toml::value root) const {
+  TomlText other = *this;
+  other.root_ = std::move(root);
+  return other;
+}
+
 void TomlText::refuse(const std::string& message, const toml::source_location* where,
                       const std::string& parsed) const {
   const std::string what = "the case is not valid TOML: " + without_function_name(message);

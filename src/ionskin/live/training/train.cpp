@@ -234,6 +234,10 @@ void check_trainable(const Case& input, const TrainingOptions& options) {
     throw UserError("strain.source: a live skin is stepped by contact, and this case has none\n"
                     "  = set strain.source = \"contact\"");
   }
+  if (!input.further_sliders.empty()) {
+    throw UserError("slider: a live skin knows one slider, and this case has a list of them\n"
+                    "  = write one section [slider]");
+  }
   if (input.readout.circuit != circuits::circuits().front().name) {
     throw UserError("readout.circuit: a live skin knows shorted electrodes alone\n"
                     "  = set readout.circuit = \"short\"");

@@ -16,12 +16,12 @@ struct ForcePath {
     std::vector<double> force;      ///< per cell normal (downwards), x, y [N]
   };
   std::vector<double> lines_x, lines_y; ///< cell edges from its centre [m]
-  std::vector<Instant> instants;        ///< ascending
+  bool half = false;             ///< cells of y < 0 alone: mirror images carry the mirrored forces
+  std::vector<Instant> instants; ///< ascending
 
   Instant at(double time) const;
 };
 
-/// @param solution of the whole skin, not of half of it
 ForcePath force_path(const ContactSolution& solution);
 
 /// Largest difference of the forces at the instants of `now` from those of another path on the same

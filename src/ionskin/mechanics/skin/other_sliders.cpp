@@ -21,7 +21,8 @@ Eigen::MatrixXd component_of(const CellVector& values, std::size_t component,
 }
 
 std::array<double, 2> half_size(const finite_layers::ContactGrid& cells) {
-  return {0.5 * (cells.x.back() - cells.x.front()), 0.5 * (cells.y.back() - cells.y.front())};
+  const double across = cells.y.back() - cells.y.front();
+  return {0.5 * (cells.x.back() - cells.x.front()), cells.half ? across : 0.5 * across};
 }
 
 } // namespace
@@ -35,7 +36,7 @@ CellVector moved_by_others(const SkinModel& model, const std::vector<ForcePath>&
     if (std::ranges::all_of(instant.force, [](double force) { return force == 0; })) {
       continue;
     }
-    const finite_layers::ContactGrid cells{other.lines_x, other.lines_y};
+    const finite_layers::ContactGrid cells{other.lines_x, other.lines_y, other.half};
     const double apart = distance(place, half_size(own), instant.centre, half_size(cells));
     if (apart < model.layers.reach()) {
       throw SolverError(fmt::format("two sliders come within {:.3g} mm of each other at {:.3g} s",

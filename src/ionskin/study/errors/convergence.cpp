@@ -2,6 +2,7 @@
 #include "ionskin/study/errors/convergence.hpp"
 
 #include "ionskin/readout/metrics.hpp"
+#include "ionskin/readout/slider_suffix.hpp"
 
 #include <algorithm>
 #include <array>
@@ -66,13 +67,19 @@ std::map<std::string, std::string> not_converging(const Case& input, const Signa
       reasons[name] = reason;
     }
   };
-  const bool sharp = has_sharp_edge(input);
-  for (const char* name : extremes) {
-    const auto error = stated.find(name);
-    if (sharp) {
-      mark(name, "extreme under a sharp edge, where finer meshes raise stress and strain");
-    } else if (error != stated.end() && error->second > most_of_extreme) {
-      mark(name, "extreme that this mesh does not resolve: two meshes differ by more than a third");
+  const std::vector<Case> sliders = cases_of_sliders(input);
+  const bool any_sharp = std::ranges::any_of(sliders, has_sharp_edge);
+  for (std::size_t i = 0; i < sliders.size(); ++i) {
+    for (const char* extreme : extremes) {
+      const std::string name = extreme + readout::slider_suffix(i);
+      const auto error = stated.find(name);
+      // Figures without a suffix are of the whole skin, but for a few.
+      if (i == 0 ? any_sharp : has_sharp_edge(sliders[i])) {
+        mark(name, "extreme under a sharp edge, where finer meshes raise stress and strain");
+      } else if (error != stated.end() && error->second > most_of_extreme) {
+        mark(name,
+             "extreme that this mesh does not resolve: two meshes differ by more than a third");
+      }
     }
   }
   for (const auto& [name, error] : stated) {

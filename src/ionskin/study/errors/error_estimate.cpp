@@ -14,6 +14,7 @@
 #include "ionskin/parallel/shared_progress.hpp"
 #include "ionskin/parallel/task_pool.hpp"
 #include "ionskin/poroelasticity/validity.hpp"
+#include "ionskin/readout/slider_suffix.hpp"
 #include "ionskin/readout/tail_current.hpp"
 #include "ionskin/study/errors/convergence.hpp"
 #include "ionskin/study/errors/signal_difference.hpp"
@@ -42,6 +43,9 @@ constexpr const char* cells_run = "cells"; ///< as reference_run, shear on cells
 MechanicsRecord on_wider_cells(const MechanicsRecord& mechanics) {
   MechanicsRecord result = mechanics;
   result.maps = {};
+  for (SliderRecord& further : result.further_sliders) {
+    further.maps = {};
+  }
   result.coarser_solutions.clear();
   result.history = history::merge_cells(mechanics.history);
   return result;
@@ -52,15 +56,23 @@ bool has_coarser_solutions(const MechanicsRecord& mechanics) {
 }
 
 double path_floor(const MechanicsRecord& mechanics) {
-  return mechanics.has_contact()
-             ? mechanics.worst_equilibrium_residual + mechanics.worst_complementarity_residual
-             : 0.0;
+  double worst = mechanics.worst_equilibrium_residual + mechanics.worst_complementarity_residual;
+  for (const SliderRecord& further : mechanics.further_sliders) {
+    worst = base::nan_max(worst, further.worst_equilibrium_residual +
+                                     further.worst_complementarity_residual);
+  }
+  return worst;
 }
 
 /// Least errors that cells of the contact and steps of the path leave, however little two solutions
 /// differ by.
 std::vector<readout::Metric> least_errors(const Case& input, const MechanicsRecord& mechanics) {
   std::vector<readout::Metric> errors = mechanics.cell_errors;
+  for (std::size_t i = 0; i < mechanics.further_sliders.size(); ++i) {
+    for (const readout::Metric& error : mechanics.further_sliders[i].cell_errors) {
+      errors.push_back({error.name + readout::slider_suffix(i + 1), error.value, error.unit});
+    }
+  }
   const auto of_slip = slip_least_errors(input, mechanics);
   errors.insert(errors.end(), of_slip.begin(), of_slip.end());
   return errors;

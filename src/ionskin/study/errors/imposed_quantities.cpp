@@ -3,6 +3,7 @@
 
 #include "ionskin/mechanics/output/contact_solution.hpp"
 #include "ionskin/readout/phases.hpp"
+#include "ionskin/readout/slider_suffix.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -32,22 +33,19 @@ double height_error(const MotionInstant& at, double height) {
   return at.level && !at.level->is_force ? std::abs(height - at.level->value) : solved_for;
 }
 
-} // namespace
-
-ImposedErrors imposed_errors(const Case& input, const Signals& signals) {
-  if (input.strain.kind != StrainSourceKind::contact) {
-    return {};
-  }
+/// @param input of one slider alone
+/// @param suffix of its signals and figures
+void add_slider(const Case& input, const std::string& suffix, const Signals& signals,
+                ImposedErrors& errors) {
   const readout::MotionPhases phases(input.motion, input.slider);
   std::vector<MotionInstant> instants;
   for (const double time : signals.resolved.column("time").values) {
     instants.push_back(phases.at(time));
   }
-  ImposedErrors errors;
   const auto add = [&](const std::string& name,
                        const std::function<double(const MotionInstant&, double)>& error) {
-    const Signal& column = signals.resolved.column(name);
-    Signal of{name, column.unit, {}};
+    const Signal& column = signals.resolved.column(name + suffix);
+    Signal of{column.name, column.unit, {}};
     for (std::size_t row = 0; row < instants.size(); ++row) {
       of.values.push_back(error(instants[row], column.values[row]));
     }
@@ -63,12 +61,24 @@ ImposedErrors imposed_errors(const Case& input, const Signals& signals) {
   for (const auto& [name, instant] :
        {std::pair{"normal_force_touchdown", readout::end_of_touchdown(input.motion, input.slider)},
         std::pair{"normal_force_slide", readout::middle_of_slide(input.motion, input.slider)}}) {
-    const auto metric = std::ranges::find(signals.metrics, name, &Metric::name);
+    const auto metric = std::ranges::find(signals.metrics, name + suffix, &Metric::name);
     if (metric != signals.metrics.end()) {
       const double error = force_error(phases.at(instant), metric->value);
       if (!std::isnan(error)) {
         errors.metrics.push_back({metric->name, error, metric->unit});
       }
+    }
+  }
+}
+
+} // namespace
+
+ImposedErrors imposed_errors(const Case& input, const Signals& signals) {
+  ImposedErrors errors;
+  if (input.strain.kind == StrainSourceKind::contact) {
+    const std::vector<Case> sliders = cases_of_sliders(input);
+    for (std::size_t i = 0; i < sliders.size(); ++i) {
+      add_slider(sliders[i], readout::slider_suffix(i), signals, errors);
     }
   }
   return errors;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/study/errors/metric_neighbours.hpp"
 
+#include "ionskin/case/case.hpp"
+#include "ionskin/readout/slider_suffix.hpp"
 #include "ionskin/study/errors/error_parts.hpp"
 
 #include <algorithm>
@@ -70,6 +72,22 @@ const std::array<Neighbours, 9> neighbours{{
     {"nonlinearity", {"p95_shear_slide"}},
 }};
 
+/// The figure of the first slider that a figure of another is named after, and the suffix; empty
+/// where it has none.
+std::pair<std::string, std::string> of_slider(const std::string& metric) {
+  for (std::size_t i = 1; i < most_sliders; ++i) {
+    const std::string suffix = readout::slider_suffix(i);
+    if (metric.ends_with(suffix)) {
+      return {metric.substr(0, metric.size() - suffix.size()), suffix};
+    }
+  }
+  return {metric, ""};
+}
+
+bool is_of_slider(const std::string& signal) {
+  return signal == "normal_force" || signal == "tangential_force" || signal == "stick_share";
+}
+
 } // namespace
 
 bool is_audit(const std::string& metric) {
@@ -84,6 +102,13 @@ bool hangs_on_edges(const std::string& quantity) {
 }
 
 std::vector<std::string> related_signals(const std::string& metric) {
+  if (const auto [own, suffix] = of_slider(metric); !suffix.empty()) {
+    std::vector<std::string> signals = related_signals(own);
+    for (std::string& signal : signals) {
+      signal += is_of_slider(signal) ? suffix : "";
+    }
+    return signals;
+  }
   const auto found = std::ranges::find_if(
       signal_of, [&](const auto& entry) { return metric.find(entry.first) != std::string::npos; });
   if (found != signal_of.end()) {
@@ -102,6 +127,13 @@ std::vector<std::string> leading_signals(const std::string& signal) {
 }
 
 std::vector<std::string> related_metrics(const std::string& metric) {
+  if (const auto [own, suffix] = of_slider(metric); !suffix.empty()) {
+    std::vector<std::string> metrics = related_metrics(own);
+    for (std::string& one : metrics) {
+      one += suffix;
+    }
+    return metrics;
+  }
   const auto found = std::ranges::find(neighbours, metric, &Neighbours::metric);
   return found == neighbours.end() ? std::vector<std::string>{} : found->others;
 }

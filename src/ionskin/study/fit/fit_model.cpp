@@ -140,7 +140,10 @@ FitModel::Mechanics FitModel::mechanics_of(const Case& input) {
     mechanics::ContactOptions contact_options;
     contact_options.threads = options_.threads;
     contact_options.progress = options_.progress;
-    record = make_mechanics_record(input, mechanics::solve_contact(input, contact_options, timers));
+    Case alone = input;
+    alone.numerics.error_estimate = false; // its coarser solutions are asked for at the end
+    record = record_mechanics(
+        input, solve_mechanics(alone, {input.contact.friction}, contact_options, timers).front());
     ++mechanics_solves_;
   }
   known = std::make_shared<const MechanicsRecord>(std::move(record));

@@ -14,6 +14,7 @@
 #include "ionskin/planning/output_size.hpp"
 #include "ionskin/planning/resources.hpp"
 #include "ionskin/poroelasticity/prescribed_load.hpp"
+#include "ionskin/readout/slider_suffix.hpp"
 #include "ionskin/results/output_folder.hpp"
 #include "ionskin/results/vtu_writer.hpp"
 #include "ionskin/study/errors/error_estimate.hpp"
@@ -81,12 +82,19 @@ std::optional<MechanicsRecord> left_mechanics(const Case& input, const std::stri
 }
 
 /// For ParaView, while the strains can be recovered.
-void write_skins(const Case& input, const mechanics::ContactSolution& contact, RunFolder& folder) {
+void write_skins(const Case& input, const std::vector<mechanics::ContactSolution>& contacts,
+                 RunFolder& folder) {
   const std::vector<double> instants = field_instants(input);
-  const mechanics::LayerStrainAt strain = instants.empty() ? nullptr : layer_strains(contact);
-  for (std::size_t i = 0; i < instants.size(); ++i) {
-    results::write_skin(folder.output(), input.slider, i,
-                        skin_snapshot(input, contact, strain, instants[i]));
+  if (instants.empty()) {
+    return;
+  }
+  const std::vector<Case> sliders = cases_of_sliders(input);
+  for (std::size_t i = 0; i < sliders.size(); ++i) {
+    const mechanics::LayerStrainAt strain = layer_strains(contacts[i]);
+    for (std::size_t at = 0; at < instants.size(); ++at) {
+      results::write_skin(folder.output(), sliders[i].slider, readout::slider_suffix(i), at,
+                          skin_snapshot(sliders[i], contacts[i], strain, instants[at]));
+    }
   }
 }
 
@@ -130,7 +138,7 @@ MechanicsRecord study_1(const Case& input, const RunOptions& options, double sta
     MechanicsRecord record =
         record_mechanics(input, solved, base::share_of(options.progress, 0, 1 - share_of_files));
     if (options.paraview) {
-      write_skins(input, solved.contact, folder);
+      write_skins(input, solved.contacts, folder);
     }
     write_mechanics(results_path, hash, record,
                     base::share_of(options.progress, 1 - share_of_files, share_of_files));

@@ -61,6 +61,32 @@ bool is_whole(const results::Manifest& manifest, const std::string& hash,
          });
 }
 
+/// What a slider, its motion and its contact decide of Study 1.
+std::string slider_text(const Slider& slider, const Motion& motion, const Contact& contact) {
+  std::string text = fmt::format(" slider {} {} {}", slider.shape, slider.size, slider.start);
+  text += fmt::format(" pose {} {} {}", slider.pose.roll, slider.pose.pitch, slider.pose.yaw);
+  for (const auto& [name, value] : slider.parameters) {
+    text += fmt::format(" {} {}", name, value);
+  }
+  text += heights_text(slider.profile_heights);
+  text += fmt::format(" gives {} {} {}", slider.youngs_modulus, slider.poissons_ratio,
+                      slider.pad_thickness);
+  text += fmt::format(" motion {} {} {} {} {} {} {} {} {} {}", static_cast<int>(motion.kind),
+                      motion.gap, motion.preload, motion.stroke, motion.direction, motion.touchdown,
+                      motion.slide, motion.lift, motion.return_, motion.cycles);
+  text +=
+      fmt::format(" force {} strokes {} {}", motion.preload_force, motion.strokes, motion.dwell);
+  text += waypoints_text(motion);
+  if (const Drive& drive = motion.drive; drive.stiffness + drive.damping + drive.mass > 0) {
+    text += fmt::format(" drive {} {} {}", drive.stiffness, drive.damping, drive.mass);
+  }
+  text += fmt::format(" contact {} {}", contact.law, contact.friction);
+  for (const auto& [name, value] : contact.parameters) {
+    text += fmt::format(" {} {}", name, value);
+  }
+  return text;
+}
+
 } // namespace
 
 RunFolder::RunFolder(const Case& input, const RunOptions& options)
@@ -216,11 +242,13 @@ void RunFolder::write_manifest() {
 
 std::string input_hash(const Case& input) {
   std::string text = input.text + input.values;
-  if (!input.motion.file.empty()) {
-    text += waypoints_text(input.motion);
-  }
-  if (!input.slider.profile.empty()) {
-    text += heights_text(input.slider.profile_heights);
+  for (const Case& slider : cases_of_sliders(input)) {
+    if (!slider.motion.file.empty()) {
+      text += waypoints_text(slider.motion);
+    }
+    if (!slider.slider.profile.empty()) {
+      text += heights_text(slider.slider.profile_heights);
+    }
   }
   if (input.strain.kind == StrainSourceKind::file) {
     text += base::file_digest(input.strain.file).hex();
@@ -238,30 +266,11 @@ std::string mechanics_hash(const Case& input) {
     text += fmt::format(" layer {} {} {} {}", static_cast<int>(layer.role), layer.thickness,
                         layer.material.youngs_modulus, layer.material.poissons_ratio);
   }
-  const Motion& motion = input.motion;
-  const Slider& slider = input.slider;
-  text += fmt::format(" slider {} {} {}", slider.shape, slider.size, slider.start);
-  text += fmt::format(" pose {} {} {}", slider.pose.roll, slider.pose.pitch, slider.pose.yaw);
-  for (const auto& [name, value] : slider.parameters) {
-    text += fmt::format(" {} {}", name, value);
+  text += slider_text(input.slider, input.motion, input.contact);
+  for (const FurtherSlider& further : input.further_sliders) {
+    text += slider_text(further.slider, further.motion, further.contact);
   }
-  text += heights_text(slider.profile_heights);
-  text += fmt::format(" gives {} {} {}", slider.youngs_modulus, slider.poissons_ratio,
-                      slider.pad_thickness);
-  text += fmt::format(" motion {} {} {} {} {} {} {} {} {} {}", static_cast<int>(motion.kind),
-                      motion.gap, motion.preload, motion.stroke, motion.direction, motion.touchdown,
-                      motion.slide, motion.lift, motion.return_, motion.cycles);
-  text +=
-      fmt::format(" force {} strokes {} {}", motion.preload_force, motion.strokes, motion.dwell);
-  text += waypoints_text(motion);
-  if (const Drive& drive = motion.drive; drive.stiffness + drive.damping + drive.mass > 0) {
-    text += fmt::format(" drive {} {} {}", drive.stiffness, drive.damping, drive.mass);
-  }
-  text += fmt::format(" contact {} {} measure {}", input.contact.law, input.contact.friction,
-                      input.coupling.measure);
-  for (const auto& [name, value] : input.contact.parameters) {
-    text += fmt::format(" {} {}", name, value);
-  }
+  text += " measure " + input.coupling.measure;
   // The history then has another grid and more channels.
   if (moves_water(input)) {
     text += " water";

@@ -5,11 +5,13 @@
 #include "ionskin/base/system/free_memory.hpp"
 #include "ionskin/mechanics/coarser_solutions.hpp"
 #include "ionskin/mechanics/path/find_footprint.hpp"
+#include "ionskin/mechanics/solve_sliders.hpp"
 #include "ionskin/parallel/shared_progress.hpp"
 #include "ionskin/parallel/task_pool.hpp"
 #include "ionskin/planning/resources.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -145,12 +147,108 @@ std::vector<CoarserSolutions> solve_beside(const Case& input, const std::vector<
   return coarser_solutions;
 }
 
+std::string not_estimated(const std::string& problem) {
+  return "The error of the mechanics is not estimated: on a mesh of twice the size " + problem +
+         ".";
+}
+
+/// Names of the coarser solutions of a case.
+std::vector<std::string> coarser_names(const Case& input) {
+  namespace names = mechanics::coarser_solutions;
+  std::vector<std::string> result{names::mesh, names::path};
+  if (mechanics::needs_coarser_thickness(input)) {
+    result.emplace_back(names::thickness);
+  }
+  return result;
+}
+
+/// Record of a coarser solution of several sliders.
+std::shared_ptr<const MechanicsRecord> solve_coarser_sliders(const Case& input,
+                                                             const std::string& name,
+                                                             mechanics::ContactOptions options) {
+  const Case coarser = mechanics::coarser_case(input, name);
+  if (name == mechanics::coarser_solutions::path) {
+    options.steps = halved(options.steps);
+  }
+  options.threads = 1;
+  base::Timers parts;
+  MechanicsRecord record = make_mechanics_record(
+      coarser, mechanics::solve_sliders(cases_of_sliders(coarser), options, parts));
+  record.maps = {};
+  for (SliderRecord& further : record.further_sliders) {
+    further.maps = {};
+  }
+  return std::make_shared<const MechanicsRecord>(std::move(record));
+}
+
+/// Coarser solutions of several sliders.
+/// @param own null, or what is solved beside them
+/// @param problem where they have no solution, why
+CoarserSolutions solve_coarser_sliders(const Case& input, const mechanics::ContactOptions& options,
+                                       const std::function<void()>& own, std::string& problem) {
+  const std::vector<std::string> names =
+      input.numerics.error_estimate ? coarser_names(input) : std::vector<std::string>{};
+  std::vector<std::shared_ptr<const MechanicsRecord>> records(names.size());
+  mechanics::ContactOptions beside = options;
+  beside.progress = base::no_progress;
+  beside.unfinished = nullptr; // what a coarser mesh left is nobody's result
+  std::mutex failing;
+  const auto fail = [&](const char* why) {
+    const std::lock_guard lock(failing);
+    problem = why;
+  };
+  const std::size_t before = own ? 1 : 0;
+  parallel::run_tasks(before + names.size(), options.threads, [&](std::size_t task) {
+    if (task < before) {
+      own();
+      return;
+    }
+    const std::size_t i = task - before;
+    try { // a run keeps its results where their error cannot be estimated
+      records[i] = solve_coarser_sliders(input, names[i], beside);
+    } catch (const SolverError& error) {
+      fail(error.what());
+    } catch (const UserError& error) { // its mesh does not fit beside a slider
+      fail(error.what());
+    }
+  });
+  CoarserSolutions result;
+  for (std::size_t i = 0; problem.empty() && i < records.size(); ++i) {
+    result.emplace(names[i], std::move(records[i]));
+  }
+  return result;
+}
+
+/// Several sliders on one skin, and their coarser solutions beside them.
+SolvedMechanics solve_together(const Case& input, const mechanics::ContactOptions& options,
+                               base::Timers& timers) {
+  SolvedMechanics solved;
+  std::string problem;
+  const auto own = [&] {
+    solved.contacts = mechanics::solve_sliders(cases_of_sliders(input), options, timers);
+  };
+  solved.coarser_solutions = solve_coarser_sliders(input, options, own, problem);
+  if (!problem.empty()) {
+    solved.contacts.front().warnings.push_back(not_estimated(problem));
+  }
+  return solved;
+}
+
 } // namespace
 
 std::vector<SolvedMechanics> solve_mechanics(const Case& input,
                                              const std::vector<double>& frictions,
                                              const mechanics::ContactOptions& options,
                                              base::Timers& timers) {
+  if (!input.further_sliders.empty()) {
+    std::vector<SolvedMechanics> solved;
+    for (const double friction : frictions) {
+      Case own = input;
+      own.contact.friction = friction;
+      solved.push_back(solve_together(own, options, timers));
+    }
+    return solved;
+  }
   mechanics::ContactOptions both = options;
   if (!both.footprint) {
     const base::Timers::Scope scope(timers, "mechanics: footprint");
@@ -173,11 +271,9 @@ std::vector<SolvedMechanics> solve_mechanics(const Case& input,
   }
   std::vector<SolvedMechanics> solved;
   for (std::size_t i = 0; i < frictions.size(); ++i) {
-    solved.push_back({std::move(solutions[i]), {}});
+    solved.emplace_back().contacts.push_back(std::move(solutions[i]));
     if (solved_coarser.empty()) {
-      solved.back().contact.warnings.push_back(
-          "The error of the mechanics is not estimated: on a mesh of twice the size " + problem +
-          ".");
+      solved.back().contacts.front().warnings.push_back(not_estimated(problem));
     } else {
       solved.back().coarser_solutions = std::move(solved_coarser[i]);
     }
@@ -187,12 +283,16 @@ std::vector<SolvedMechanics> solve_mechanics(const Case& input,
 
 void add_coarser_solutions(const Case& input, const mechanics::ContactOptions& options,
                            MechanicsRecord& record) {
+  std::string problem;
+  if (!input.further_sliders.empty()) {
+    record.coarser_solutions = solve_coarser_sliders(input, options, nullptr, problem);
+    return;
+  }
   mechanics::ContactOptions own = options;
   if (!own.footprint) {
     own.footprint =
         mechanics::find_footprint(input, input.contact.friction, options.threads).footprint;
   }
-  std::string problem;
   for (CoarserSolutions& solved : try_coarser(input, {input.contact.friction}, own, problem)) {
     record.coarser_solutions = std::move(solved);
   }
@@ -200,7 +300,7 @@ void add_coarser_solutions(const Case& input, const mechanics::ContactOptions& o
 
 MechanicsRecord record_mechanics(const Case& input, const SolvedMechanics& solved,
                                  const base::ProgressCallback& progress) {
-  MechanicsRecord record = make_mechanics_record(input, solved.contact, progress);
+  MechanicsRecord record = make_mechanics_record(input, solved.contacts, progress);
   record.coarser_solutions = solved.coarser_solutions;
   return record;
 }

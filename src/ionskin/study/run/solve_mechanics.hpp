@@ -14,7 +14,7 @@ namespace ionskin::study {
 
 /// Study 1 and its coarser solutions, which give the error.
 struct SolvedMechanics {
-  mechanics::ContactSolution contact;
+  std::vector<mechanics::ContactSolution> contacts; ///< one for each slider
   /// Records of the coarser solutions by name, see mechanics/coarser_solutions.hpp; empty where
   /// their mesh has no solution and where no error is asked for.
   std::map<std::string, std::shared_ptr<const MechanicsRecord>> coarser_solutions;

@@ -190,14 +190,11 @@ void warn_about_strong_coupling(const Case& input, const electrochemistry::IonSo
   }
 }
 
-} // namespace
-
-std::vector<std::string> mechanics_warnings(const Case& input, const MechanicsRecord& mechanics) {
-  std::vector<std::string> warnings = mechanics.warnings;
-  if (mechanics.has_contact() && input.slider.sharp()) {
-    const double force =
-        *std::max_element(mechanics.normal_force.begin(), mechanics.normal_force.end());
-    const double pressure = force / (input.slider.size[0] * input.slider.size[1]);
+void warn_about_pressure(const Slider& slider, const SliderRecord& record,
+                         std::vector<std::string>& warnings) {
+  if (!record.normal_force.empty() && slider.sharp()) {
+    const double force = *std::max_element(record.normal_force.begin(), record.normal_force.end());
+    const double pressure = force / (slider.size[0] * slider.size[1]);
     if (pressure > pressure_limit) {
       warnings.push_back(fmt::format(
           "The slider presses with up to {:.3g} N ({:.3g} MPa on average; a finger "
@@ -206,6 +203,18 @@ std::vector<std::string> mechanics_warnings(const Case& input, const MechanicsRe
           "slider.edge_radius.",
           force, pressure / 1e6));
     }
+  }
+}
+
+} // namespace
+
+std::vector<std::string> mechanics_warnings(const Case& input, const MechanicsRecord& mechanics) {
+  std::vector<std::string> warnings = mechanics.warnings;
+  warn_about_pressure(input.slider, mechanics, warnings);
+  for (std::size_t i = 0; i < mechanics.further_sliders.size(); ++i) {
+    const SliderRecord& further = mechanics.further_sliders[i];
+    warnings.insert(warnings.end(), further.warnings.begin(), further.warnings.end());
+    warn_about_pressure(input.further_sliders[i].slider, further, warnings);
   }
   warnings.insert(warnings.end(), input.notes.begin(), input.notes.end());
   return warnings;

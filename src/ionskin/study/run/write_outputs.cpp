@@ -2,6 +2,7 @@
 #include "ionskin/study/run/write_outputs.hpp"
 
 #include "ionskin/circuits/circuit.hpp"
+#include "ionskin/readout/slider_suffix.hpp"
 #include "ionskin/results/csv_writer.hpp"
 #include "ionskin/results/output_folder.hpp"
 #include "ionskin/results/results_file.hpp"
@@ -58,6 +59,9 @@ void write_results_file(const Case& input, const MechanicsRecord& mechanics,
   write_optional(file, "water_error", outputs.errors.water);
   if (mechanics.has_contact()) {
     file.write_slider(input.slider);
+    for (std::size_t i = 0; i < input.further_sliders.size(); ++i) {
+      file.write_slider(input.further_sliders[i].slider, readout::slider_suffix(i + 1));
+    }
   } else {
     file.write_strain(mechanics.history);
   }
@@ -132,7 +136,11 @@ void write_paraview(const Case& input, const RunOutputs& outputs, RunFolder& fol
     results::write_fields(folder.output(), outputs.ions->grid, input.skin.core_bottom(),
                           outputs.ions->snapshots);
   }
-  results::write_collection(folder.output(), field_instants(input));
+  std::vector<std::string> suffixes;
+  for (std::size_t i = 0; i <= input.further_sliders.size(); ++i) {
+    suffixes.push_back(readout::slider_suffix(i));
+  }
+  results::write_collection(folder.output(), field_instants(input), suffixes);
 }
 
 constexpr const char* writing = "results and report";

@@ -13,6 +13,7 @@
 #include "ionskin/readout/phases.hpp"
 #include "ionskin/readout/sampling.hpp"
 #include "ionskin/readout/signal_table.hpp"
+#include "ionskin/readout/slider_suffix.hpp"
 #include "ionskin/readout/slip_onset.hpp"
 #include "ionskin/readout/tail_current.hpp"
 #include "ionskin/readout/taxels.hpp"
@@ -36,17 +37,46 @@ using electrochemistry::IonSolution;
 /// Stuck and touched area are linear between the samples, their ratio is not: it has a jump where
 /// the slider lands.
 template <class AtRows>
-void add_stick(const MechanicsRecord& mechanics, const AtRows& at_rows,
-               readout::SignalInputs& inputs) {
-  std::vector<double> stuck = mechanics.stick_share;
+void add_stick(const SliderRecord& record, const AtRows& at_rows, readout::SliderInputs& inputs) {
+  std::vector<double> stuck = record.stick_share;
   for (std::size_t i = 0; i < stuck.size(); ++i) {
-    stuck[i] *= mechanics.contact_area[i];
+    stuck[i] *= record.contact_area[i];
   }
   stuck = at_rows(stuck);
   for (std::size_t row = 0; row < stuck.size(); ++row) {
     const double area = inputs.contact_area[row], share = area > 0 ? stuck[row] / area : 0;
     inputs.stick_share.push_back(share);
     inputs.slip_state.push_back(static_cast<double>(readout::slip_state(area, share)));
+  }
+}
+
+/// Forces of a slider at the rows' instants.
+template <class AtRows>
+void add_forces(const SliderRecord& record, const AtRows& at_rows, readout::SliderInputs& inputs) {
+  inputs.slider_z = at_rows(record.slider_z);
+  inputs.normal_force = at_rows(record.normal_force);
+  inputs.tangential_force = at_rows(record.tangential_force);
+  inputs.tangential_force_x = at_rows(record.tangential_force_x);
+  inputs.tangential_force_y = at_rows(record.tangential_force_y);
+  inputs.moment_x = at_rows(record.moment_x);
+  inputs.moment_y = at_rows(record.moment_y);
+  inputs.moment_z = at_rows(record.moment_z);
+  inputs.contact_area = at_rows(record.contact_area);
+  inputs.slip = at_rows(record.slip);
+  add_stick(record, at_rows, inputs);
+}
+
+/// Motion and forces of the sliders beside the first.
+template <class AtRows>
+void add_further_sliders(const Case& input, const MechanicsRecord& mechanics, const AtRows& at_rows,
+                         readout::SignalInputs& inputs) {
+  for (std::size_t i = 0; i < mechanics.further_sliders.size(); ++i) {
+    const FurtherSlider& further = input.further_sliders[i];
+    readout::SignalInputs own;
+    own.time = inputs.time;
+    readout::add_motion(own, further.motion, further.slider);
+    add_forces(mechanics.further_sliders[i], at_rows, own);
+    inputs.further_sliders.push_back(std::move(own));
   }
 }
 
@@ -65,17 +95,8 @@ readout::SignalInputs mechanical_inputs(const Case& input, const MechanicsRecord
       }
       return values;
     };
-    inputs.slider_z = at_rows(mechanics.slider_z);
-    inputs.normal_force = at_rows(mechanics.normal_force);
-    inputs.tangential_force = at_rows(mechanics.tangential_force);
-    inputs.tangential_force_x = at_rows(mechanics.tangential_force_x);
-    inputs.tangential_force_y = at_rows(mechanics.tangential_force_y);
-    inputs.moment_x = at_rows(mechanics.moment_x);
-    inputs.moment_y = at_rows(mechanics.moment_y);
-    inputs.moment_z = at_rows(mechanics.moment_z);
-    inputs.contact_area = at_rows(mechanics.contact_area);
-    inputs.slip = at_rows(mechanics.slip);
-    add_stick(mechanics, at_rows, inputs);
+    add_forces(mechanics, at_rows, inputs);
+    add_further_sliders(input, mechanics, at_rows, inputs);
     if (!mechanics.drive_force_x.empty()) {
       // The path of the motion is that of the drive's end; the slider goes its own way.
       inputs.drive_x = std::move(inputs.slider_x);
@@ -112,8 +133,40 @@ std::optional<readout::NamedInstants> named_instants(const Case& input,
                                 readout::middle_of_slide(input.motion, input.slider)};
 }
 
+/// Figures of the sliders beside the first, with their suffixes.
+void add_further_metrics(const Case& input, const MechanicsRecord& mechanics,
+                         const readout::SignalTable& signals,
+                         std::vector<readout::Metric>& metrics) {
+  for (std::size_t i = 0; i < mechanics.further_sliders.size(); ++i) {
+    const FurtherSlider& further = input.further_sliders[i];
+    const std::string suffix = readout::slider_suffix(i + 1);
+    const auto at = [&](const std::string& name, double instant) {
+      return base::value_at(signals.column("time").values, signals.column(name + suffix).values,
+                            instant);
+    };
+    const double slide = readout::middle_of_slide(further.motion, further.slider);
+    metrics.push_back(
+        {"normal_force_touchdown" + suffix,
+         at("normal_force", readout::end_of_touchdown(further.motion, further.slider)), "N"});
+    metrics.push_back({"normal_force_slide" + suffix, at("normal_force", slide), "N"});
+    metrics.push_back({"tangential_force_slide" + suffix, at("tangential_force", slide), "N"});
+    for (const readout::Metric& metric : mechanics.further_sliders[i].metrics) {
+      metrics.push_back({metric.name + suffix, metric.value, metric.unit});
+    }
+  }
+}
+
+/// Largest over all sliders.
+double worst_of_sliders(const MechanicsRecord& mechanics, double SliderRecord::*residual) {
+  double worst = mechanics.*residual;
+  for (const SliderRecord& further : mechanics.further_sliders) {
+    worst = base::nan_max(worst, further.*residual);
+  }
+  return worst;
+}
+
 void add_slide_metrics(const Case& input, const MechanicsRecord& mechanics,
-                       std::vector<readout::Metric>& metrics) {
+                       const readout::SignalTable& signals, std::vector<readout::Metric>& metrics) {
   if (!mechanics.has_contact()) {
     return;
   }
@@ -124,16 +177,21 @@ void add_slide_metrics(const Case& input, const MechanicsRecord& mechanics,
   metrics.insert(metrics.end(), mechanics.metrics.begin(), mechanics.metrics.end());
   const auto slip = slip_metrics(input, mechanics);
   metrics.insert(metrics.end(), slip.begin(), slip.end());
-  if (!mechanics.electrode_stress.empty()) {
+  // Stresses of several sliders are not added up.
+  if (!mechanics.electrode_stress.empty() && mechanics.further_sliders.empty()) {
     metrics.push_back(
         {"electrode_membrane_stress",
          *std::max_element(mechanics.electrode_stress.begin(), mechanics.electrode_stress.end()),
          "Pa"});
   }
-  metrics.push_back({"equilibrium_residual", mechanics.worst_equilibrium_residual, "1"});
-  metrics.push_back({"complementarity_residual", mechanics.worst_complementarity_residual, "1"});
+  metrics.push_back({"equilibrium_residual",
+                     worst_of_sliders(mechanics, &SliderRecord::worst_equilibrium_residual), "1"});
+  metrics.push_back({"complementarity_residual",
+                     worst_of_sliders(mechanics, &SliderRecord::worst_complementarity_residual),
+                     "1"});
   // Strain is not interpolated between places of the slider; scripts still find the name.
   metrics.push_back({"interpolation_error", 0.0, "1"});
+  add_further_metrics(input, mechanics, signals, metrics);
 }
 
 void add_tail_metric(const Case& input, const MechanicsRecord& mechanics, Signals& signals) {
@@ -402,7 +460,7 @@ Signals read_out(const Case& input, const MechanicsRecord& mechanics, const IonS
   signals.metrics =
       readout::signal_metrics(signals.resolved, signals.sampled, named_instants(input, mechanics));
   add_tail_metric(input, mechanics, signals);
-  add_slide_metrics(input, mechanics, signals.metrics);
+  add_slide_metrics(input, mechanics, signals.resolved, signals.metrics);
   if (const auto identity = charge_identity(input, mechanics, ions, threads)) {
     signals.metrics.push_back(*identity);
   }
@@ -459,7 +517,7 @@ Signals read_out_mechanics(const Case& input, const MechanicsRecord& mechanics, 
       signals.metrics.push_back(metric);
     }
   }
-  add_slide_metrics(input, mechanics, signals.metrics);
+  add_slide_metrics(input, mechanics, signals.resolved, signals.metrics);
   return signals;
 }
 

@@ -2,6 +2,7 @@
 #include "ionskin/study/store/mechanics_file.hpp"
 
 #include "ionskin/base/error.hpp"
+#include "ionskin/readout/slider_suffix.hpp"
 #include "ionskin/results/hdf5/foreign_hdf5_file.hpp"
 #include "ionskin/results/hdf5/hdf5_messages.hpp"
 #include "ionskin/results/results_file.hpp"
@@ -20,7 +21,7 @@ namespace {
 constexpr const char* coarser_group = "/companions";
 constexpr double most_solves = 1e9;
 
-std::vector<double> onset_column(const MechanicsRecord& record, std::size_t column) {
+std::vector<double> onset_column(const SliderRecord& record, std::size_t column) {
   std::vector<double> values;
   for (const auto& onset : record.onsets) {
     values.push_back(onset[column]);
@@ -64,9 +65,9 @@ std::vector<readout::Metric> read_metrics(const results::ForeignHdf5File& file,
   return metrics;
 }
 
-/// Below `root` what a run, or a coarser solution of it, leaves beside the strain.
-void write_path(results::Hdf5File& file, const std::string& root, const MechanicsRecord& record) {
-  file.write_with_unit(root + "/time", record.history.time, "s");
+void write_slider_path(results::Hdf5File& file, const std::string& root,
+                       const std::vector<double>& time, const SliderRecord& record) {
+  file.write_with_unit(root + "/time", time, "s");
   file.write_with_unit(root + "/slider_z", record.slider_z, "m");
   file.write_with_unit(root + "/normal_force", record.normal_force, "N");
   file.write_with_unit(root + "/tangential_force", record.tangential_force, "N");
@@ -94,10 +95,18 @@ void write_path(results::Hdf5File& file, const std::string& root, const Mechanic
   file.set_attribute(root, "contact_solves", record.contact_solves);
 }
 
+/// Below `root` what a run, or a coarser solution of it, leaves beside the strain.
+void write_path(results::Hdf5File& file, const std::string& root, const MechanicsRecord& record) {
+  write_slider_path(file, root, record.history.time, record);
+  for (std::size_t i = 0; i < record.further_sliders.size(); ++i) {
+    write_slider_path(file, root + readout::slider_suffix(i + 1), record.history.time,
+                      record.further_sliders[i]);
+  }
+}
+
 /// One entry of each list for every sample of the history.
 void require_samples(const results::ForeignHdf5File& file, const std::string& root,
-                     const MechanicsRecord& record) {
-  const std::size_t samples = record.history.time.size();
+                     const SliderRecord& record, std::size_t samples) {
   require_length(file, root + "/slider_z", record.slider_z.size(), samples);
   require_length(file, root + "/normal_force", record.normal_force.size(), samples);
   require_length(file, root + "/tangential_force", record.tangential_force.size(), samples);
@@ -115,8 +124,17 @@ void require_samples(const results::ForeignHdf5File& file, const std::string& ro
   }
 }
 
-MechanicsRecord read_path(const results::ForeignHdf5File& file, const std::string& root) {
-  MechanicsRecord record;
+void require_samples(const results::ForeignHdf5File& file, const std::string& root,
+                     const MechanicsRecord& record) {
+  const std::size_t samples = record.history.time.size();
+  require_samples(file, root, record, samples);
+  for (std::size_t i = 0; i < record.further_sliders.size(); ++i) {
+    require_samples(file, root + readout::slider_suffix(i + 1), record.further_sliders[i], samples);
+  }
+}
+
+SliderRecord read_slider_path(const results::ForeignHdf5File& file, const std::string& root) {
+  SliderRecord record;
   const auto number = [&](const char* name) {
     return file.number_attribute(root, name).value_or(0);
   };
@@ -151,6 +169,15 @@ MechanicsRecord read_path(const results::ForeignHdf5File& file, const std::strin
   return record;
 }
 
+MechanicsRecord read_path(const results::ForeignHdf5File& file, const std::string& root) {
+  MechanicsRecord record;
+  static_cast<SliderRecord&>(record) = read_slider_path(file, root);
+  for (std::size_t i = 1; file.has(root + readout::slider_suffix(i)) && i < most_sliders; ++i) {
+    record.further_sliders.push_back(read_slider_path(file, root + readout::slider_suffix(i)));
+  }
+  return record;
+}
+
 } // namespace
 
 void write_mechanics(const std::filesystem::path& path, const std::string& hash,
@@ -160,6 +187,9 @@ void write_mechanics(const std::filesystem::path& path, const std::string& hash,
   results::ResultsFile results(path, results::ResultsFile::Start::empty);
   results.write_strain(record.history);
   results.write_contact(record.maps);
+  for (std::size_t i = 0; i < record.further_sliders.size(); ++i) {
+    results.write_contact(record.further_sliders[i].maps, readout::slider_suffix(i + 1));
+  }
   results::Hdf5File& file = results.file();
   write_path(file, "/path", record);
   file.set_attribute("/path", "mechanics_hash", hash);

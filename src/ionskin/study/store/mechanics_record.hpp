@@ -16,11 +16,9 @@
 
 namespace ionskin::study {
 
-/// Record that Study 1 leaves to everything after it. It is written when Study 1 ends and read back
-/// by a resumed run, so that Study 1 never runs twice.
-struct MechanicsRecord {
-  history::CoreHistory history;
-  // One entry per sample of the history; empty in runs from a strain file.
+/// Record of the contact of one slider, one entry per sample of the history; empty in runs from a
+/// strain file.
+struct SliderRecord {
   std::vector<double> slider_z;         ///< underside above the undeformed top face [m]
   std::vector<double> normal_force;     ///< [N]
   std::vector<double> tangential_force; ///< along the first slide [N]
@@ -42,9 +40,18 @@ struct MechanicsRecord {
   /// Errors by the name of a metric: error that cells of the contact leave in it, however little
   /// two meshes differ by.
   std::vector<readout::Metric> cell_errors;
-  /// Largest membrane stress of each electrode layer over all states, bottom to top [Pa].
+  /// Largest membrane stress of each electrode layer over all states, bottom to top, by the forces
+  /// of this slider alone [Pa].
   std::vector<double> electrode_stress;
   std::vector<std::string> warnings;
+};
+
+/// Record that Study 1 leaves to everything after it. It is written when Study 1 ends and read back
+/// by a resumed run, so that Study 1 never runs twice. The members of the base are those of the
+/// first slider.
+struct MechanicsRecord : SliderRecord {
+  history::CoreHistory history;
+  std::vector<SliderRecord> further_sliders; ///< of a case with several
   /// The same without maps on coarser meshes, by name (mechanics/coarser_solutions.hpp): they give
   /// the errors. Empty where those have no solution, and with a given strain.
   std::map<std::string, std::shared_ptr<const MechanicsRecord>> coarser_solutions;
@@ -54,6 +61,12 @@ struct MechanicsRecord {
 
 /// Condenses the contact states into forces, maps and the shear history of the whole run.
 /// @param progress called with "strain history"
+/// @param contacts one solution for each slider of the case
+MechanicsRecord make_mechanics_record(const Case& input,
+                                      const std::vector<mechanics::ContactSolution>& contacts,
+                                      const base::ProgressCallback& progress = base::no_progress);
+
+/// The same of a case of one slider.
 MechanicsRecord make_mechanics_record(const Case& input, const mechanics::ContactSolution& contact,
                                       const base::ProgressCallback& progress = base::no_progress);
 

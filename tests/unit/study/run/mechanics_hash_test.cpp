@@ -209,5 +209,18 @@ TEST(MechanicsHash, knows_what_stands_in_files) {
   EXPECT_NE(mechanics_hash(input), mechanics_hash(other));
 }
 
+TEST(MechanicsHash, knows_every_slider) {
+  Case input;
+  const std::string alone = mechanics_hash(input);
+  input.further_sliders.emplace_back();
+  const std::string two = mechanics_hash(input);
+  EXPECT_NE(two, alone);
+  input.further_sliders[0].contact.friction = 0.4;
+  const std::string rough = mechanics_hash(input);
+  EXPECT_NE(rough, two);
+  input.further_sliders[0].motion.stroke = 1e-3;
+  EXPECT_NE(mechanics_hash(input), rough);
+}
+
 } // namespace
 } // namespace ionskin::study

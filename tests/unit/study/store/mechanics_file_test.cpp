@@ -104,6 +104,25 @@ TEST(MechanicsFile, GivesBackWhatTheRestOfTheRunNeeds) {
   EXPECT_FALSE(read_mechanics(path, "other", input.skin));
 }
 
+TEST(MechanicsFile, GivesBackEverySlider) {
+  const results::ScratchFolder folder;
+  Case input = handover::small_case();
+  input.slider.start[1] = 0.9e-3; // the whole skin is meshed
+  input.further_sliders.push_back({input.slider, input.motion, input.contact});
+  const auto contact = small_contact(cases_of_sliders(input).front());
+  const auto record = make_mechanics_record(input, {contact, contact});
+  ASSERT_EQ(record.further_sliders.size(), 1u);
+  EXPECT_EQ(record.further_sliders[0].normal_force, record.normal_force);
+  write_mechanics(folder / "results.h5", "hash", record);
+  const auto read = read_mechanics(folder / "results.h5", "hash", input.skin);
+  ASSERT_TRUE(read);
+  ASSERT_EQ(read->further_sliders.size(), 1u);
+  EXPECT_EQ(read->further_sliders[0].normal_force, record.normal_force);
+  EXPECT_EQ(read->further_sliders[0].slip, record.further_sliders[0].slip);
+  EXPECT_EQ(read->history.frame, history::Frame::skin);
+  EXPECT_EQ(*read->history.shear()[20], *record.history.shear()[20]);
+}
+
 TEST(MechanicsFile, ListsOfUnlikeLengthsAreDamage) {
   const results::ScratchFolder folder;
   const Case input = handover::small_case();
