@@ -33,17 +33,6 @@ std::vector<double> apply(const Operators& along, std::vector<double> field,
   return next;
 }
 
-/// Middles of both halves of each interval, over which points along x and y are means.
-std::vector<double> middles_of_halves(const std::vector<double>& lines) {
-  std::vector<double> places;
-  for (std::size_t i = 0; i + 1 < lines.size(); ++i) {
-    const double length = lines[i + 1] - lines[i];
-    places.push_back(lines[i] + 0.25 * length);
-    places.push_back(lines[i] + 0.75 * length);
-  }
-  return places;
-}
-
 /// Both Gauss points of each interval.
 std::vector<double> gauss_points(const std::vector<double>& lines) {
   const double offset = 0.5 / std::sqrt(3.0);
@@ -66,14 +55,25 @@ struct SliderInstant {
   PointStrain strain; ///< of its forces alone, at the points of its own mesh
 };
 
-/// Carries a strain from the points of one mesh to those of another.
+/// Each value is its own.
+history::LineOperator identity(std::size_t count) {
+  history::LineOperator same{count, {}, std::vector(count, std::vector{1.0})};
+  for (std::size_t i = 0; i < count; ++i) {
+    same.first.push_back(i);
+  }
+  return same;
+}
+
+/// Carries a strain from the points of one mesh to those of another; along x and y these are means
+/// over halves of cells, which keep their integral.
 Operators between(const SliderInstant& from, const SliderInstant& to) {
   const auto along = [](const std::vector<double>& lines, const std::vector<double>& target) {
-    return history::compose(history::linear_interpolation(lines, middles_of_halves(target)),
-                            history::half_means_projection(lines));
+    return history::half_means_averages(lines, history::halved(target));
   };
-  return {history::compose(history::linear_interpolation(from.core_z, gauss_points(to.core_z)),
-                           history::linear_projection(from.core_z)),
+  return {from.core_z == to.core_z ? identity(2 * (from.core_z.size() - 1))
+                                   : history::compose(history::linear_interpolation(
+                                                          from.core_z, gauss_points(to.core_z)),
+                                                      history::linear_projection(from.core_z)),
           along(from.lines.y, to.lines.y), along(from.lines.x, to.lines.x)};
 }
 
@@ -238,10 +238,6 @@ private:
 
   /// Means over the cells of the grid, linear through the thickness.
   Operators onto_grid(const SliderInstant& from) const {
-    const auto along = [](const std::vector<double>& lines, const std::vector<double>& edges) {
-      return history::compose(history::cell_averages(lines, edges),
-                              history::half_means_projection(lines));
-    };
     const bool halved = grid_.z_nodes.size() > core_.z_lines.size();
     history::LineOperator along_z =
         halved ? history::halved_projection(from.core_z) : history::linear_projection(from.core_z);
@@ -251,8 +247,8 @@ private:
                                halved ? history::halved(from.core_z) : from.core_z, grid_.z_nodes),
                            along_z);
     }
-    return {std::move(along_z), along(from.lines.y, grid_.y_edges),
-            along(from.lines.x, grid_.x_edges)};
+    return {std::move(along_z), history::half_means_averages(from.lines.y, grid_.y_edges),
+            history::half_means_averages(from.lines.x, grid_.x_edges)};
   }
 
   /// The slider that is nearest to each column of cells, [y][x].

@@ -127,6 +127,28 @@ LineOperator cell_averages(const std::vector<double>& lines,
   return line;
 }
 
+LineOperator half_means_averages(const std::vector<double>& lines,
+                                 const std::vector<double>& target_edges) {
+  LineOperator line;
+  line.sources = 2 * (lines.size() - 1);
+  for (std::size_t cell = 0; cell + 1 < target_edges.size(); ++cell) {
+    const double from = target_edges[cell], to = target_edges[cell + 1];
+    std::vector<double> dense(line.sources, 0.0);
+    for (std::size_t e = 0; e + 1 < lines.size(); ++e) {
+      const double low = std::max(from, lines[e]), high = std::min(to, lines[e + 1]);
+      if (high <= low) {
+        continue;
+      }
+      const double share = (high - low) / (to - from);
+      const double place = (low + high - lines[e] - lines[e + 1]) / (lines[e + 1] - lines[e]);
+      dense[2 * e] += share * (0.5 - place);
+      dense[2 * e + 1] += share * (0.5 + place);
+    }
+    push_row(line, dense);
+  }
+  return line;
+}
+
 LineOperator overlap_averages(const std::vector<double>& source_edges,
                               const std::vector<double>& target_edges) {
   LineOperator line;

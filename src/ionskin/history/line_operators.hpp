@@ -42,6 +42,11 @@ LineOperator cell_averages(const std::vector<double>& lines, const std::vector<d
 LineOperator overlap_averages(const std::vector<double>& source_edges,
                               const std::vector<double>& target_edges);
 
+/// Averages over target cells of the function that is linear in each interval and has these means
+/// over its halves. Rows: target cells, within the intervals; sources: two halves of each.
+LineOperator half_means_averages(const std::vector<double>& lines,
+                                 const std::vector<double>& target_edges);
+
 /// Averages of a continuous piecewise-linear function weighted with the hat functions of target
 /// nodes. The hats sum to one and reproduce linear functions, so integral and first moment are
 /// conserved. Rows: target nodes; sources: source nodes. Both span the same interval.

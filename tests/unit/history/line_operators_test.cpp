@@ -108,6 +108,25 @@ TEST(LineOperators, OverlapAveragesConserveTheIntegral) {
   EXPECT_NEAR(integral, 0.3 * 2 + 0.05 * -3 + 0.65 * 4, 1e-14);
 }
 
+TEST(LineOperators, HalfMeansAveragesKeepTheIntegralAndLinearFunctions) {
+  const std::vector<double> source{0, 0.3, 0.35, 1.0}, target{0, 0.1, 0.2, 0.5, 0.9, 1.0};
+  std::vector<double> linear; // 3 + 2 x
+  for (const double middle : {0.075, 0.225, 0.3125, 0.3375, 0.5125, 0.8375}) {
+    linear.push_back(3 + 2 * middle);
+  }
+  const auto averages = applied(half_means_averages(source, target), linear);
+  for (std::size_t i = 0; i < averages.size(); ++i) {
+    EXPECT_NEAR(averages[i], 3 + target[i] + target[i + 1], 1e-14) << i;
+  }
+  const std::vector<double> values{2, -1, 5, 4, 0, 7};
+  const auto rough = applied(half_means_averages(source, target), values);
+  double integral = 0;
+  for (std::size_t i = 0; i < rough.size(); ++i) {
+    integral += rough[i] * (target[i + 1] - target[i]);
+  }
+  EXPECT_NEAR(integral, 0.15 * (2 - 1) + 0.025 * (5 + 4) + 0.325 * (0 + 7), 1e-14);
+}
+
 TEST(LineOperators, HatAveragesConserveIntegralAndFirstMoment) {
   const std::vector<double> target{0, 0.01, 0.3, 0.55, 0.99, 1.0};
   const std::vector<double> values{1, 0, -2, 5, 3};
