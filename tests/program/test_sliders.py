@@ -48,7 +48,8 @@ class Sliders(ProgramTest):
         self.assertLess(metric(self.folder / "both", "energy_balance_error"), 1e-3)
         self.assertLess(abs(metric(self.folder / "both", "mean_shear_slide")), 0.05 * metric(self.folder / "left", "mean_shear_slide"))
         charge = {name: numpy.interp(1.5, each["time"], each["charge_top"]) for name, each in (("both", columns), ("left", left), ("right", right))}
-        self.assertLess(abs(charge["both"] - charge["left"] - charge["right"]), 0.05 * max(abs(charge["left"]), abs(charge["right"])))
+        # The first moment of a linear shear vanishes, as either force passes straight through the core: what moves charge is its size.
+        self.assertLess(max(map(abs, charge.values())), 1e-10)
 
     def test_a_run_keeps_every_slider_and_resumes(self):
         self.run_case("both.toml", "-o", "out", *FAST, "--only", "mechanics")
@@ -59,7 +60,7 @@ class Sliders(ProgramTest):
         for name in ("layers_2", "contact_2", "slider_2"):
             self.assertTrue((self.folder / "out" / "fields" / f"{name}_0000.vtu").exists(), name)
         self.assertIn("slider_2_0000.vtu", (self.folder / "out" / "fields" / "fields.pvd").read_text())
-        again = self.run_case("both.toml", "-o", "out", "--set", "numerics.error_estimate=off")
+        again = self.run_case("both.toml", "-o", "out", "--resume", "--set", "numerics.error_estimate=off")
         self.assertIn("mechanics, from an earlier run", again.stderr + again.stdout)
         self.assertAlmostEqual(metric(self.folder / "out", "normal_force_slide_2"), 1, delta=1e-6)
         self.assertEqual(len(tomllib.loads((self.folder / "out" / "case.toml").read_text())["slider"]), 2)
