@@ -120,11 +120,13 @@ std::vector<std::string> fit_warnings(const FitStatistics& statistics,
       }
     }
     const double half_width = statistics.quantile * statistics.log_error[i];
-    if (keys[i].starts_with("data.")) {
-      if (!std::isfinite(half_width)) {
-        warnings.push_back(fmt::format("The data do not fix {}.", keys[i]));
-      }
-    } else if (!(half_width < hardly_determined)) {
+    const bool of_data = keys[i].starts_with("data."); // not a factor: its coordinate is linear
+    const double undetermined =
+        of_data ? std::numeric_limits<double>::infinity() : std::log(undetermined_factor);
+    if (!(half_width < undetermined)) {
+      warnings.push_back(
+          fmt::format("The data do not fix {}: they say nothing of its size.", keys[i]));
+    } else if (!of_data && half_width >= hardly_determined) {
       warnings.push_back(fmt::format("The data hardly fix {}: its 95 % interval spans a factor of "
                                      "{:.3g} either way.",
                                      keys[i], std::exp(half_width)));

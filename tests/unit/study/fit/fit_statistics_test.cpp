@@ -42,6 +42,21 @@ TEST(FitStatistics, KeysThatCannotBeToldApartAreNamed) {
   EXPECT_TRUE(std::isinf(one_without_trace.log_error[1]));
 }
 
+TEST(FitStatistics, DataWithoutTraceOfAKeyNameNoFactor) {
+  const std::vector<double> data = {1, 2, 3, 4, 5.1}, noise = {0.1, -0.1, 0.1, -0.1, 0.05};
+  const double least = 1e-9; // a trace, of which exp(half width) overflows
+  for (const double trace : {0.0, least}) {
+    const auto warnings =
+        fit_warnings(fit_statistics(data, noise, {{trace, -trace, trace, trace, 0}}), {"a.key"});
+    ASSERT_FALSE(warnings.empty());
+    EXPECT_NE(warnings[0].find("do not fix a.key"), std::string::npos) << warnings[0];
+    for (const std::string& warning : warnings) {
+      EXPECT_EQ(warning.find("inf"), std::string::npos) << warning;
+      EXPECT_EQ(warning.find("e+"), std::string::npos) << warning;
+    }
+  }
+}
+
 TEST(FitStatistics, GoodDataRaiseNoWarningAndAWrongModelDoes) {
   std::vector<double> data, noise, wrong, level, slope;
   std::uint32_t state = 1; // of a linear congruential generator
