@@ -102,7 +102,7 @@ def signals(first, second, tolerance):
     return rows
 
 
-def told(run, name):
+def with_error(run, name):
     """A metric of a run with its stated error, "491 µA ± 5 %"; "–" where the run has no such metric."""
     if name not in run.metrics:
         return "–"
@@ -111,7 +111,7 @@ def told(run, name):
 
 def metric_lines(first, second, tolerance):
     """Words, both values with their errors, the difference, what the errors say of it, and the name in files."""
-    return [(quantities.words(name), told(first, name), told(second, name), "–" if None in (one, two) else percent(gap),
+    return [(quantities.words(name), with_error(first, name), with_error(second, name), "–" if None in (one, two) else percent(gap),
              verdict(first, second, name), name) for name, one, two, _, gap in metrics(first, second, tolerance)]
 
 
@@ -140,7 +140,7 @@ def report(first, second, tolerance, defaults=None):
 
 
 def main():
-    """Command line."""
+    """Runs the command line of `ionskin compare`."""
     parser = argparse.ArgumentParser(prog="ionskin.compare", description=__doc__)
     parser.add_argument("first", help="output folder of a run")
     parser.add_argument("second", help="output folder of a run")

@@ -48,12 +48,12 @@ class Instant:
 
     workers = 1
 
-    def evaluate(self, case, trials, folder, told):
+    def evaluate(self, case, trials, folder, on_result):
         """Evaluates as LocalEngine.evaluate does."""
         for trial in trials:
             path = folder / f"{trial.number:06}.npz"
             outcome_of(trial).write(path)
-            told(trial, Outcome.read_back(path))
+            on_result(trial, Outcome.read_back(path))
 
 
 def outcome_of(trial):

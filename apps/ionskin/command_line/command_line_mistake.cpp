@@ -104,8 +104,8 @@ std::string unknown_option(const CLI::App& app, const CLI::App& verb, const std:
   const std::string name = option.substr(0, option.find('='));
   const std::string problem = fmt::format("{} has no option {}", call(app, verb), name);
   if (has_option(verb, name)) {
-    return message(fmt::format("{} stands before the verb", name),
-                   fmt::format("write it behind: {} {}", call(app, verb), option));
+    return message(fmt::format("{} comes before the verb", name),
+                   fmt::format("write it after the verb: {} {}", call(app, verb), option));
   }
   const std::string nearest = base::nearest_name(name, option_names(verb));
   const std::string key =
@@ -197,7 +197,7 @@ std::string explain_mistake(const CLI::App& app, const CLI::ParseError& error,
     return message(
         fmt::format("\"{}\" is one word too many for {}",
                     extra == words.end() ? extras.front() : *extra, call(app, verb)),
-        fmt::format("a value with blanks stands in quotes; usage: {}", usage(app, verb)));
+        fmt::format("put a value that contains blanks in quotes; usage: {}", usage(app, verb)));
   }
   if (const auto choice = unknown_choice(text)) {
     return *choice;

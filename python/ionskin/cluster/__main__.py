@@ -110,7 +110,7 @@ def stop(arguments):
 
 
 def main():
-    """Command line."""
+    """Runs the command line of `ionskin cluster`."""
     parser = argparse.ArgumentParser(prog="ionskin.cluster", description=__doc__)
     parser.add_argument("action", choices=("start", "worker", "stop"))
     parser.add_argument("folder", type=pathlib.Path)

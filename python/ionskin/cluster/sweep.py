@@ -80,7 +80,7 @@ def drive(folder, scheduler, chosen, mode):
 
 
 def main():
-    """Command line."""
+    """Runs batches of a planned sweep on a cluster, by its command line."""
     parser = argparse.ArgumentParser(prog="ionskin.cluster.sweep", description=__doc__)
     parser.add_argument("folder", type=pathlib.Path)
     parser.add_argument("--on", required=True)

@@ -43,7 +43,7 @@ class StudyFolder:
         if overwrite:
             self._remove()
         elif former and not resume:
-            raise CaseError(f"{folder} holds a study\n  = --resume goes on with it, --overwrite begins anew")
+            raise CaseError(f"{folder} holds a study\n  = --resume continues it, --overwrite begins anew")
         elif resume and not former:
             raise CaseError(f"{folder} holds no study to go on with\n  = leave --resume out")
         elif former:

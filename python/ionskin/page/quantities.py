@@ -82,7 +82,7 @@ def words(name):
 
 
 def known_words(name):
-    """The same, "" for one that is not known here."""
+    """The name of a metric in words, or "" for a metric that is not known here."""
     if (found := CURRENT.fullmatch(name)) is not None:
         return f"{KINDS[found[1]]} {SIDES[found[2]]}"
     if name in NAMES:

@@ -136,7 +136,7 @@ def answer(study):
     order = numpy.argsort(numpy.nan_to_num(values, nan=-numpy.inf))
     most, least = (study.members[place] for place in (order[-1], order[len(values) - numpy.isfinite(values).sum()]))
 
-    def told(member):
+    def with_error_at(member):
         error = report_text.error(member.results, name)
         return report_text.value(member.results, name) + (f" ({error})" if error else "") + f" at {study.label(member)}"
 
@@ -144,12 +144,12 @@ def answer(study):
     if quantity(numpy.nanmin(values), unit, 3) == quantity(numpy.nanmax(values), unit, 3):
         first = f"{words}: {quantity(numpy.nanmax(values), unit, 3)} at every point."
     else:
-        first = f"{words}: from {told(least)} to {told(most)}."
+        first = f"{words}: from {with_error_at(least)} to {with_error_at(most)}."
     return [first, *([study.note] if study.note else [])]
 
 
 def page(study, verdicts):
-    """The whole page."""
+    """The page of a sweep, as HTML."""
     results = study.typical.results
     gallery, charts = figures(study)
     picture = None

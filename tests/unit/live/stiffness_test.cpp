@@ -33,7 +33,7 @@ Wrench wrench_of(Skin& skin, const Given& given) {
           signals[moment], signals[moment + 1], signals[moment + 2]};
 }
 
-/// The same underside, turned by so much about x or y through its centre.
+/// A skin whose underside is turned by so much about x or y through its centre.
 SkinData turned(SkinData data, std::size_t axis, double angle) {
   const std::size_t columns = data.cell_lines_x.size() - 1;
   for (std::size_t cell = 0; cell < data.gap.size(); ++cell) {

@@ -122,8 +122,8 @@ class Window(SlipTest):
 
     def words(self, **what):
         study = self.write(**what)
-        told = {current: [slip.told(member.results, current) for member in study.members] for current in slip.CURRENTS}
-        words = trends.window_words(study, told)
+        precursors = {current: [slip.precursor(member.results, current) for member in study.members] for current in slip.CURRENTS}
+        words = trends.window_words(study, precursors)
         shutil.rmtree(self.folder)
         self.folder.mkdir()
         return words

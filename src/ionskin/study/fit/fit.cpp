@@ -98,8 +98,8 @@ void drop_late_rows(FitData& data, double end, std::vector<std::string>& warning
   const auto kept = static_cast<std::size_t>(std::ranges::upper_bound(data.time, end + interval) -
                                              data.time.begin());
   if (kept < rows) {
-    warnings.push_back(fmt::format("{} of {} rows lie behind the end of the run and are left out.",
-                                   rows - kept, rows));
+    warnings.push_back(fmt::format(
+        "{} of {} rows are later than the end of the run and are left out.", rows - kept, rows));
     data.time.resize(kept);
     data.values.resize(kept);
   }
@@ -185,8 +185,8 @@ FitResult summarise(FitModel& model, const FitData& data, const Misfit& misfit,
                result.statistics.quantile * result.statistics.log_error[i] + search_ends));
     if (result.parameters.back().at_bound) {
       result.warnings.push_back(
-          fmt::format("{} = {:.6g} is at the end of its range: its interval says nothing.", keys[i],
-                      values[i]));
+          fmt::format("{} = {:.6g} is at the end of its range: its interval has no meaning.",
+                      keys[i], values[i]));
     }
   }
   const auto more = fit_warnings(result.statistics, keys);

@@ -106,7 +106,7 @@ std::vector<std::string> fit_warnings(const FitStatistics& statistics,
   std::vector<std::string> warnings;
   if (!(statistics.condition_number < ill_conditioned)) {
     warnings.push_back(fmt::format(
-        "The data do not tell all free keys apart (condition number {:.2g}): {} may change with "
+        "The data cannot distinguish all free keys (condition number {:.2g}): {} may change with "
         "almost no trace in the data. Fix one of these keys, or measure something that depends on "
         "them otherwise.",
         statistics.condition_number, combination(statistics, keys)));

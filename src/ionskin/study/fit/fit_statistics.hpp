@@ -30,6 +30,7 @@ struct FitStatistics {
   std::vector<double> weakest;
 };
 
+/// Statistics of a fit at its optimum.
 /// @param values the data
 /// @param residuals data minus model, more than there are parameters
 FitStatistics fit_statistics(const std::vector<double>& values,
