@@ -30,6 +30,7 @@ std::string excerpt(const Pointer& pointer);
 /// once.
 class Problems {
 public:
+  /// Adds a mistake.
   /// @param message what is wrong, with the actual value
   /// @param pointers the offending places; two when two keys conflict; may be empty
   /// @param remedy what to do; may be empty when the message says it

@@ -21,6 +21,7 @@ struct ForcePath {
   Instant at(double time) const;
 };
 
+/// Forces on the cells along the path of a solution.
 /// @param solution of the whole skin, not of half of it
 ForcePath force_path(const ContactSolution& solution);
 

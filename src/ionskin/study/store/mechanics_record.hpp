@@ -45,8 +45,8 @@ struct MechanicsRecord {
   /// Largest membrane stress of each electrode layer over all states, bottom to top [Pa].
   std::vector<double> electrode_stress;
   std::vector<std::string> warnings;
-  /// The same without maps on coarser meshes, by name (mechanics/coarser_solutions.hpp): they give
-  /// the errors. Empty where those have no solution, and with a given strain.
+  /// Mechanics on coarser meshes, without maps, by name (mechanics/coarser_solutions.hpp): they
+  /// give the errors. Empty where those have no solution, and with a given strain.
   std::map<std::string, std::shared_ptr<const MechanicsRecord>> coarser_solutions;
 
   bool has_contact() const { return !normal_force.empty(); }
