@@ -180,9 +180,9 @@ class Report(unittest.TestCase):
         self.assertNotIn("url(http", self.page)
 
     def test_every_figure_stands_in_the_page_and_is_a_file_where_asked_for(self):
-        names = {"reading", "motion", "shear", "currents", "forces", "charge", "relaxation"}
+        names = set(self.data()["charts"])
         self.assertEqual(set(re.findall(r'id="chart-([^"]+)"', self.page)), names)
-        self.assertEqual(set(self.data()["charts"]), names)
+        self.assertLessEqual({"reading", "motion", "shear", "currents", "forces", "charge", "relaxation"}, names)
         with tempfile.TemporaryDirectory() as folder:
             folder = pathlib.Path(folder)
             write_run(folder)
@@ -228,7 +228,9 @@ class OtherRuns(unittest.TestCase):
         return [entry.name for entry, _ in draw_all(Results(self.folder))]
 
     def test_runs_from_a_strain_file_have_no_motion(self):
-        self.assertEqual(self.figures(contact=False), ["reading", "shear", "currents", "charge"])
+        drawn = self.figures(contact=False)
+        self.assertLessEqual({"reading", "shear", "currents", "charge"}, set(drawn))
+        self.assertFalse({"motion", "contact", "forces"}.intersection(drawn))
 
     def test_a_path_across_the_skin_shows_its_place_and_the_size_of_its_force(self):
         write_run(self.folder)
@@ -247,7 +249,9 @@ class OtherRuns(unittest.TestCase):
         self.assertEqual(figures.forces(study.typical.results).rows[0][0].curves[1].y.tolist(), [5.0] * (len(lines) - 1))
 
     def test_mechanics_alone_has_no_currents(self):
-        self.assertEqual(self.figures(ions=False), ["motion", "shear", "forces"])
+        drawn = self.figures(ions=False)
+        self.assertLessEqual({"motion", "shear", "forces"}, set(drawn))
+        self.assertFalse({"reading", "currents", "charge", "relaxation"}.intersection(drawn))
 
     def test_opens_with_what_can_be_read(self):
         write_run(self.folder)
