@@ -13,6 +13,7 @@ import physical_cases  # noqa: E402
 
 MISTAKES = (
     (("runn", "x"), '"runn" is not a verb of ionskin', "did you mean run?"),
+    (("new", "x.toml"), '"new" is not a verb of ionskin', "did you mean init?"),
     (("nonsense",), '"nonsense" is not a verb of ionskin', "verbs: init, check, run"),
     (("help",), '"help" is not a verb of ionskin', "write ionskin --help"),
     (("init", "x.toml", "--from"), "--from lacks its value", "choose one of paper, quick, finger"),
