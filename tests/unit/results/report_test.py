@@ -295,6 +295,8 @@ class OtherRuns(unittest.TestCase):
     def test_a_folder_without_results_is_named(self):
         with self.assertRaisesRegex(FileNotFoundError, "signals.csv"):
             make_report(self.folder)
+        with self.assertRaisesRegex(FileNotFoundError, "there is no folder .*missing"):
+            make_report(self.folder / "missing")
 
 
 class Reading(unittest.TestCase):
