@@ -78,11 +78,12 @@ std::string usage(const CLI::App& app, const CLI::App& verb) {
 
 /// The verb that does what a word stands for in other programs; empty for any other word.
 std::string verb_of_other_programs(const std::string& word) {
-  static constexpr std::array<std::array<std::string_view, 2>, 10> known{{{"new", "init"},
+  static constexpr std::array<std::array<std::string_view, 2>, 11> known{{{"new", "init"},
                                                                           {"create", "init"},
                                                                           {"solve", "run"},
                                                                           {"simulate", "run"},
                                                                           {"validate", "check"},
+                                                                          {"explain", "check"},
                                                                           {"plot", "report"},
                                                                           {"figures", "report"},
                                                                           {"gui", "studio"},
