@@ -108,7 +108,7 @@ class LaboratoryData(ProgramTest):
                 self.assertFalse((self.folder / "out" / "fit.json").exists())
         self.run_program("fit", QUICK, *self.edits, "--data", self.data(self.time, noisy), "--free", K, "-o", "out")
 
-    def test_records_that_are_worse_than_the_interval_says_are_told(self):
+    def test_records_that_are_worse_than_the_interval_says_are_reported(self):
         limit = 0.5 * self.size
         clipped = self.fit(self.data(self.time, numpy.clip(self.current, -limit, limit)))
         self.assert_warns(clipped, "saturated")

@@ -168,7 +168,7 @@ TEST(LiveStiffness, OfAHalfSkinIsThatOfItsSymmetricMotions) {
   EXPECT_EQ(of_half[6 * 1 + 2], 0);
 }
 
-TEST(LiveStiffness, IsToldByCAndCxx) {
+TEST(LiveStiffness, IsReportedByCAndCxx) {
   const SkinData data = stiff_skin("coulomb");
   const auto path = std::filesystem::temp_directory_path() / "ionskin_live_stiffness.live";
   write_skin(path, data);

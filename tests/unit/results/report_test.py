@@ -99,7 +99,7 @@ class Report(unittest.TestCase):
         single = {"readout": {"taxels": [{"name": "a"}, {"name": "b"}]}}
         self.assertEqual(dict(report_text.case_groups(single))["Readout"], [("taxels", "2")])
 
-    def test_metal_with_a_resistance_is_told_with_its_lead(self):
+    def test_metal_with_a_resistance_is_reported_with_its_lead(self):
         case = {"skin": {"layers": [{"name": "bottom", "sheet_resistance": "2 ohm"}, {"name": "ionomer"}, {"name": "top"}]},
                 "readout": {"sample_interval": "10 ms"}}
         groups = dict(report_text.case_groups(case))
@@ -499,7 +499,7 @@ class Words(unittest.TestCase):
                 case = types.SimpleNamespace(case={"slider": slider})
                 self.assertIn(words, " ".join(report_text.limits(case)))
 
-    def test_the_circuit_is_told_as_the_run_says_it(self):
+    def test_the_circuit_is_named_as_in_the_run(self):
         told = types.SimpleNamespace(case={}, circuit=None, circuit_words={
             "words": "resistor of 1e+06 ohm and capacitor of 1e-10 F in parallel", "top_potential": "φ = U = R I"})
         self.assertEqual(readout.circuit_words(told), "Resistor of 1 MΩ and capacitor of 100 pF in parallel")

@@ -28,7 +28,7 @@ TEST(FitStatistics, OfAStraightLine) {
   EXPECT_NEAR(statistics.explained, 1 - 0.072 / 10.072, 1e-12);
 }
 
-TEST(FitStatistics, KeysThatCannotBeToldApartAreNamed) {
+TEST(FitStatistics, KeysThatCannotBeDistinguishedAreNamed) {
   const std::vector<double> data = {1, 2, 3, 4, 5}, noise = {0.01, -0.02, 0.01, 0.02, -0.01};
   const auto same = fit_statistics(data, noise, {{1, 2, 3, 4, 5}, {1, 2, 3, 4, 5}});
   EXPECT_TRUE(std::isinf(same.log_error[0]) && std::isinf(same.log_error[1]));
