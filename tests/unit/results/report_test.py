@@ -458,6 +458,11 @@ class LinesThatCross(unittest.TestCase):
 
 
 class ChartData(unittest.TestCase):
+    def test_an_rms_says_that_it_counts_spikes_which_a_sampled_peak_does_not(self):
+        self.assertEqual(quantities.words("rms_current_difference"), "Rms of the resolved difference current")
+        self.assertEqual(quantities.words("rms_current_top"), "Rms of the resolved current, top")
+        self.assertEqual(quantities.words("peak_sampled_current_top"), "Peak sampled current, top")
+
     def test_numbers_are_short_and_right(self):
         self.assertEqual(chart_data.rounded([0.0, 1.23456789e-9, -98765.4321, 7e300]), [0.0, 1.2346e-09, -98765.0, 7e300])
         self.assertEqual(chart_data.rounded([1.0, numpy.nan, numpy.inf]), [1.0, None, None])
