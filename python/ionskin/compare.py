@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Tells in what two runs differ, parameters, metrics, signals, and which differences are within their stated errors.
+"""Lists the differences of two runs in parameters, metrics and signals, and which differences are within their stated errors.
 /usr/bin/python3 -m ionskin.compare A B"""
 
 import argparse
@@ -110,13 +110,13 @@ def with_error(run, name):
 
 
 def metric_lines(first, second, tolerance):
-    """Words, both values with their errors, the difference, what the errors say of it, and the name in files."""
+    """Rows of words, both values with their errors, the difference, the verdict by the errors, and the name in files."""
     return [(quantities.words(name), with_error(first, name), with_error(second, name), "–" if None in (one, two) else percent(gap),
              verdict(first, second, name), name) for name, one, two, _, gap in metrics(first, second, tolerance)]
 
 
 def signal_lines(first, second, tolerance):
-    """Words, the largest difference and its part of the peak, what the errors say of it, and the name in files."""
+    """Rows of words, the largest difference and its part of the peak, the verdict by the errors, and the name in files."""
     def remark(share):
         if share is None:
             return ""

@@ -60,7 +60,7 @@ def forces(results):
 
 
 def currents(results):
-    """Currents of both electrodes, and what an ammeter between them can carry."""
+    """Currents of both electrodes, and the difference current, which an ammeter between them carries."""
     signals, sampled = results.signals, results.sampled
     if not signals.has("current_top"):
         return None

@@ -175,7 +175,7 @@ def transient(study):
 
 
 def shear_signals(study):
-    """Shear itself makes the signal: what the coupling law of the runs says of it."""
+    """Verdict on the claim that shear itself makes the signal, by the coupling law of the runs."""
     claim = "shear itself makes the signal"
     law = study.typical.results.case.get("coupling", {}).get("law", "fixed-charge")
     if law == "poroelastic":

@@ -51,7 +51,7 @@ def draw_maps(file, found):
 
 
 def fronts(x, y, times):
-    """Lines between what sticks and what slips, at parts of the last time."""
+    """Front between stuck and slipping cells, at parts of the last time."""
     if min(times.shape) < 2 or not peak_of(times):
         return ()
     from contourpy import contour_generator  # of matplotlib, but without it

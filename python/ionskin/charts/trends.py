@@ -158,7 +158,7 @@ def stick_slip(study):
 
 
 def friction_window(study):
-    """Figure 23: lead time and what the currents show before full slip, against the swept key."""
+    """Figure 23: lead time and change of the currents before full slip, against the swept key."""
     if study.single:
         return "a single run has no window: sweep contact.friction"
     leads = numpy.array(study.metric("slip_lead_time"), float)

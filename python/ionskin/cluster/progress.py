@@ -20,7 +20,7 @@ class BatchProgress:
         return (time.monotonic() - self.start) * (1 - share) / share if share else None
 
     def show(self, running, workers):
-        """Tells what has changed."""
+        """Prints the progress, where it has changed."""
         state = (len(self.done), running, len(self.failed), workers)
         if self.mode == "none" or state == self.shown:
             return

@@ -60,7 +60,7 @@ def sweep_on_cluster(case, axes, folder, on, settings, progress):
 
 
 def _run(command, progress):
-    """Runs the program, reports its progress, and returns its exit code and what else it said on standard error."""
+    """Runs the program, reports its progress, and returns its exit code and the other lines of its standard error."""
     said = []
     with subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, errors="replace") as process:
         try:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The folder of a study: what it was asked, and the outcomes that are finished."""
+"""The folder of a study: its question, and the outcomes that are finished."""
 
 import fcntl
 import json
@@ -132,7 +132,7 @@ def _require_ordinary(path) -> None:
 
 
 def _require_same(former: dict, question: dict, free, folder) -> None:
-    """One line for what differs between two questions."""
+    """One line on the differences between two questions."""
     question = json.loads(json.dumps(question))
     for name in dict.fromkeys([*former, *question]):
         if name not in free and former.get(name) != question.get(name):

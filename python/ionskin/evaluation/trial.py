@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""One evaluation of a case, and what came of it."""
+"""One evaluation of a case, and its outcome."""
 
 import contextlib
 import difflib
@@ -118,7 +118,7 @@ class Outcome:
         return cls.read(path) or cls({}, {}, reason="what it wrote cannot be read back: is the disk full?")
 
     def _is_sound(self) -> bool:
-        """True where the outcome has the shape of what `of` makes of a run, and finite numbers."""
+        """True where the outcome has the shape that `of` gives it, and finite numbers."""
         metrics, units, columns = self.metrics, self.units, self.columns
         if not (isinstance(metrics, dict) and isinstance(units, dict) and isinstance(self.reason, str)):
             return False

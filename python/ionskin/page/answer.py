@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The sentences that a page opens with: what an instrument between the electrodes reads, with its error."""
+"""The sentences that a page opens with: the reading of an instrument between the electrodes, with its error."""
 
 import math
 
@@ -30,7 +30,7 @@ def with_error(results, metric, fallback, unit):
 
 
 def event(results, instant):
-    """Words for what happens about an instant, " at 0.5 s, as contact begins"."""
+    """Words for the event about an instant, " at 0.5 s, as contact begins"."""
     words = f" at {instant:.4g} s"
     spans = contact_spans(results)
     if not spans:
@@ -116,7 +116,7 @@ def of_mechanics(results):
 
 
 def of_noise(results):
-    """Noise in one sample, what makes it, and how far the peak stands above it; nothing for a run of an older version."""
+    """Sentences on the noise of one reading, its parts, and how far the peak stands above it; none for a run of an older version."""
     def metric(name):
         found = results.metrics.get(name)
         return None if found is None else found.value
@@ -125,12 +125,12 @@ def of_noise(results):
     if not ratio:
         return []
     unit = results.metrics["sample_noise"].unit
-    told_parts = ", ".join(f"{quantity(value, unit, 2)} by {words}" for words, value in (
+    parts = ", ".join(f"{quantity(value, unit, 2)} by {words}" for words, value in (
         ("the skin's thermal noise", metric("sample_noise_thermal")), ("the amplifier", metric("sample_noise_amplifier")),
         ("the converter's steps", metric("sample_noise_quantisation"))) if value)
     verdict = (f"{float(f'{ratio:.2g}'):,g} times smaller than that peak" if ratio >= 3 else
                "no smaller than a third of that peak: one reading does not show it" if ratio >= 1 else "larger than that peak: it cannot be read")
-    return [f"The noise of one reading is {quantity(metric('sample_noise'), unit, 2)} rms ({told_parts}), {verdict}."]
+    return [f"The noise of one reading is {quantity(metric('sample_noise'), unit, 2)} rms ({parts}), {verdict}."]
 
 
 def sentences(results):

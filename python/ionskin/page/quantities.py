@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Names of metrics as a reader sees them, and what the words in them mean."""
+"""Names of metrics as a reader sees them, and the meaning of their words."""
 
 import re
 

@@ -123,12 +123,12 @@ def script(study):
 
 
 def readable(study):
-    """The metric of what can be read between the electrodes; None where the runs have none."""
+    """The metric of the reading between the electrodes; None where the runs have none."""
     return next((name for name in READABLE if numpy.isfinite(study.metric(name)).any() and name in study.typical.results.metrics), None)
 
 
 def answer(study):
-    """The sentences that the page opens with: how what can be read follows the key, and at which value it is largest."""
+    """The sentences that the page opens with: how the reading between the electrodes follows the key, and where it is largest."""
     name = readable(study)
     if name is None:
         return [study.note] if study.note else []
@@ -176,7 +176,7 @@ def page(study, verdicts):
 
 
 def solving_time(study):
-    """Sentence on how long the sweep took, by what and when."""
+    """One line on a sweep: times of its stages, version and date."""
     manifest = study.sweep.manifest
     stages = manifest.get("stages", {})
     parts = [f"{name} {stages[name]['wall_time_s']:.3g} s" for name in ("mechanics", "points") if name in stages]
