@@ -3,8 +3,8 @@
 """Checks that comments say what a thing is, and that each room of src/ionskin has a page.
 
 A comment is a sentence with a subject, or a noun phrase. It begins neither with a word that leaves the subject out, such
-as "Of" or "Whether", nor with a preposition unless a comma divides it from the subject: "In a sweep, the points share
-their mechanics."
+as "Of" or "Whether", nor with "The same", which leaves it to the comment before, nor with a preposition unless a comma
+divides it from the subject: "In a sweep, the points share their mechanics."
 """
 
 import ast
@@ -19,9 +19,13 @@ WITHOUT_SUBJECT = set("""also and another as because but by from how into its of
                          what whether which who whose why""".split())
 PREPOSITIONS = set("""above after against along among at before behind below beside between beyond during for if in on over
                       through under until when where while with within without""".split())
+# Words that send the reader to the comment before: reference pages and editors show each comment by itself.
+REPEATS = re.compile(r"(The same|Same|Likewise|Ditto|As above)\b(?! (as|that|in) )")
 # Words with which even a comment behind a declaration, that goes on from the name, leaves its subject out.
 WITHOUT_NAME = set("how so that those what whether which why".split())
 LINE = re.compile(r"^\s*///?(?!<) ?(.*)$")
+PARAMETER = re.compile(r"@(param|returns?)\b")
+CONSTRUCTOR = re.compile(r"\s*(explicit\s+)?[A-Z]\w*\(")
 BEHIND = re.compile(r"///< ?(.*)$")
 SENTENCE = re.compile(r".*?[.:;](?=\s|$)|.*", re.DOTALL)
 PAGE_PARTS = ("**In:**", "**Out:**", "**Equations:**", "**Begin with:**")
@@ -47,6 +51,15 @@ def comments_behind(text):
             yield number, behind[1]
 
 
+def parameters_alone(text):
+    """Yields line number and text of each comment of parameters alone, before anything but a constructor."""
+    lines = text.splitlines()
+    for first, comment in line_comments(text):
+        declared = next((line for line in lines[first:] if not LINE.match(line)), "")
+        if PARAMETER.match(comment) and not CONSTRUCTOR.match(declared):
+            yield first, comment
+
+
 def docstrings(text):
     """Yields line number and text of each docstring of a Python source."""
     for node in ast.walk(ast.parse(text)):
@@ -60,9 +73,9 @@ def first_word(comment):
 
 
 def lacks_subject(comment):
-    """True where the first sentence of a comment leaves its subject out."""
+    """True where the first sentence of a comment leaves its subject out, or to the comment before."""
     word = first_word(comment)
-    return word in WITHOUT_SUBJECT or (word in PREPOSITIONS and "," not in SENTENCE.match(comment)[0])
+    return REPEATS.match(comment) or word in WITHOUT_SUBJECT or (word in PREPOSITIONS and "," not in SENTENCE.match(comment)[0])
 
 
 def mistakes(name, text):
@@ -70,6 +83,7 @@ def mistakes(name, text):
     python = name.endswith(".py")
     found = [one for one in (docstrings(text) if python else line_comments(text)) if lacks_subject(one[1])]
     found += [] if python else [one for one in comments_behind(text) if first_word(one[1]) in WITHOUT_NAME]
+    found += parameters_alone(text) if name.endswith((".hpp", ".h")) else []
     for line, comment in sorted(found):
         yield f"{name}:{line}: say what this is, as a sentence with a subject or a noun phrase: {comment.split(chr(10))[0][:60]}"
 

@@ -81,12 +81,12 @@ def violations(source_root):
 
 def table_mistakes(source_root, page):
     """Yields one message for each folder that the table lacks, names wrongly or has out of order."""
-    told = re.findall(r"^\| `([a-z0-9_/]+)` \| \S", page.read_text(), re.MULTILINE)
+    listed = re.findall(r"^\| `([a-z0-9_/]+)` \| \S", page.read_text(), re.MULTILINE)
     known = [room if folder == "." else f"{room}/{folder}" for room, folders in ROOMS.items() for folder in folders]
     there = {str(path.parent.relative_to(source_root)) for path in source_root.rglob("*.[ch]pp")}
-    for name in sorted(there ^ set(told)):
+    for name in sorted(there ^ set(listed)):
         yield f"{page}: the table of folders and the tree differ in '{name}'"
-    if not there ^ set(told) and told != [name for name in known if name in there]:
+    if not there ^ set(listed) and listed != [name for name in known if name in there]:
         yield f"{page}: the folders of the table are not in the order of includes"
 
 

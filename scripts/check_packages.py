@@ -111,13 +111,13 @@ def allowed(file):
 
 def misplaced(packages):
     """Yields a message for each thing that is looked for and that no package of the right tier brings."""
-    told = {}
+    brought = {}
     for package, (tier, names) in packages.items():
         for kind, name in names:
-            told.setdefault((kind, name), set()).add(tier)
+            brought.setdefault((kind, name), set()).add(tier)
 
     def tiers_of(name, *kinds):
-        return set().union(*(told.get((kind, name), set()) for kind in kinds))
+        return set().union(*(brought.get((kind, name), set()) for kind in kinds))
 
     for file, name, required in searches():
         tiers = tiers_of(name, "cmake", "include", "run")

@@ -54,9 +54,9 @@ def sum_up(log):
 
 def main(preset, *options):
     """Command line."""
-    told = subprocess.run(["ctest", "--preset", preset, *options, "--show-only=json-v1"], cwd=ROOT, check=True, capture_output=True,
+    listed = subprocess.run(["ctest", "--preset", preset, *options, "--show-only=json-v1"], cwd=ROOT, check=True, capture_output=True,
                           text=True)
-    tests = json.loads(told.stdout)["tests"]
+    tests = json.loads(listed.stdout)["tests"]
     wrong = [*complaints(tests)] or ([] if tests else [f"no test belongs to the preset {preset}"])
     if wrong:
         sys.exit("\n".join(wrong))

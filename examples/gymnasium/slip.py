@@ -150,8 +150,8 @@ class SlipEnv(gymnasium.Env if gymnasium is not None else object):
     def _advance(self) -> dict:
         at = self.now
         signals = self.skin.step(self.touch["times"][at], self.touch["positions"][at], force=self.touch["forces"][at])
-        told = [signals[name] + self.noise * self.random.standard_normal() for name in self.names]
-        self.seen = numpy.vstack([self.seen[1:], 1e3 * numpy.array([told])]).astype(numpy.float32)
+        readings = [signals[name] + self.noise * self.random.standard_normal() for name in self.names]
+        self.seen = numpy.vstack([self.seen[1:], 1e3 * numpy.array([readings])]).astype(numpy.float32)
         self.now += 1
         self.info = {"slide_share": 1 - signals["stick_share"], "flags": signals.flags}
         return self.info

@@ -58,7 +58,7 @@ void end_forked_copy() {
     constexpr std::string_view text =
         "error: a progress callable of ionskin forked this process and did not end it\n"
         "  = end the copy with os._exit, or begin programs with subprocess\n";
-    [[maybe_unused]] const ssize_t told = write(STDERR_FILENO, text.data(), text.size());
+    [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, text.data(), text.size());
     _exit(static_cast<int>(ExitCode::user_error));
   }
 }
@@ -135,7 +135,7 @@ void translate_errors() {
       raise("SolverError", std::string(surrender.what()), surrender.remedy());
     } catch (const Interrupted&) {
       PyErr_SetString(PyExc_KeyboardInterrupt,
-                      "what was finished is kept; the same call with resume=True goes on");
+                      "what was finished is kept; the same call with resume=True continues");
     } catch (const InternalError& mistake) {
       PyErr_SetObject(PyExc_RuntimeError, message(mistake.what()).ptr());
     }

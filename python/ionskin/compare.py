@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Tells in what two runs differ, parameters, metrics, signals, and which differences are within their stated errors.
+"""Lists the differences of two runs in parameters, metrics and signals, and which differences are within their stated errors.
 /usr/bin/python3 -m ionskin.compare A B"""
 
 import argparse
@@ -102,7 +102,7 @@ def signals(first, second, tolerance):
     return rows
 
 
-def told(run, name):
+def with_error(run, name):
     """A metric of a run with its stated error, "491 µA ± 5 %"; "–" where the run has no such metric."""
     if name not in run.metrics:
         return "–"
@@ -110,13 +110,13 @@ def told(run, name):
 
 
 def metric_lines(first, second, tolerance):
-    """Words, both values with their errors, the difference, what the errors say of it, and the name in files."""
-    return [(quantities.words(name), told(first, name), told(second, name), "–" if None in (one, two) else percent(gap),
+    """Rows of words, both values with their errors, the difference, the verdict by the errors, and the name in files."""
+    return [(quantities.words(name), with_error(first, name), with_error(second, name), "–" if None in (one, two) else percent(gap),
              verdict(first, second, name), name) for name, one, two, _, gap in metrics(first, second, tolerance)]
 
 
 def signal_lines(first, second, tolerance):
-    """Words, the largest difference and its part of the peak, what the errors say of it, and the name in files."""
+    """Rows of words, the largest difference and its part of the peak, the verdict by the errors, and the name in files."""
     def remark(share):
         if share is None:
             return ""
@@ -140,7 +140,7 @@ def report(first, second, tolerance, defaults=None):
 
 
 def main():
-    """Command line."""
+    """Runs the command line of `ionskin compare`."""
     parser = argparse.ArgumentParser(prog="ionskin.compare", description=__doc__)
     parser.add_argument("first", help="output folder of a run")
     parser.add_argument("second", help="output folder of a run")

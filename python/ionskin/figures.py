@@ -8,7 +8,7 @@ import numpy
 
 from .analysis import derived
 from .charts import contact, ions, metal, onset, readout, skin, water
-from .charts.chart import Axis, Cell, Chart, Curve, Mark, Note, current_axis, over_time, phase_spans, telling_coincidence, with_events
+from .charts.chart import Axis, Cell, Chart, Curve, Mark, Note, current_axis, over_time, phase_spans, with_coincidence_noted, with_events
 from .charts.colours import BLUE, GREEN, ORANGE, PALE, PURPLE, QUIET
 from .charts.spans import rows_within, sampled_label, slide_start
 from .page import report_text
@@ -76,7 +76,7 @@ def forces(results):
 
 
 def currents(results):
-    """Currents of both electrodes, and what an ammeter between them can carry."""
+    """Currents of both electrodes, and the difference current, which an ammeter between them carries."""
     signals, sampled = results.signals, results.sampled
     if not signals.has("current_top"):
         return None
@@ -196,7 +196,7 @@ class Entry(NamedTuple):
     draw: Callable
 
     def words(self, results):
-        """The caption."""
+        """Caption of the figure, which may depend on the run."""
         return self.caption(results) if callable(self.caption) else self.caption
 
 
@@ -251,11 +251,11 @@ def charts(results):
     for entry in FIGURES:
         chart = entry.draw(results)
         if chart is not None:
-            yield entry, chart if isinstance(chart, str) else telling_coincidence(chart)
+            yield entry, chart if isinstance(chart, str) else with_coincidence_noted(chart)
 
 
 def draw_all(results):
-    """The same as (Entry, Figure of matplotlib), or (Entry, text)."""
+    """Yields (Entry, Figure of matplotlib) for every figure that the run has data for, or (Entry, text) for what it lacks."""
     from .drawing.draw_chart import draw  # a page needs no matplotlib
 
     for entry, chart in charts(results):

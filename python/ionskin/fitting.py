@@ -49,8 +49,8 @@ class FitModel:
         behind = numpy.flatnonzero(numpy.diff(time) <= 0)
         if len(behind):
             now, before = time[behind[0] + 1], time[behind[0]]
-            raise CaseError(f"the time {now:.12g} s stands twice: average the values of one time, or drop all but one"
-                            if now == before else f"the time must ascend, and {now:.12g} s comes behind {before:.12g} s: "
+            raise CaseError(f"the time {now:.12g} s appears twice: average the values of one time, or drop all but one"
+                            if now == before else f"the time must ascend, and {now:.12g} s comes after {before:.12g} s: "
                             "sort the rows by time")
         known = numpy.isfinite(values)
         main = threading.current_thread() is threading.main_thread()

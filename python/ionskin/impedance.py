@@ -73,7 +73,7 @@ def draw(folder):
 
 
 def main():
-    """Command line."""
+    """Draws the figures of an impedance spectrum, by the command line."""
     parser = argparse.ArgumentParser(prog="ionskin.impedance", description=__doc__)
     parser.add_argument("folder", type=pathlib.Path, help="output folder of `ionskin impedance`")
     arguments = parser.parse_args()

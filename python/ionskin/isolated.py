@@ -33,7 +33,7 @@ def import_matplotlib(package):
 
 
 def main():
-    """Command line."""
+    """Runs a module of this package by its name, with the arguments of the command line."""
     package = os.path.dirname(os.path.abspath(__file__))
     sys.stdout.reconfigure(errors="backslashreplace")  # a terminal of Latin-1 has no superscripts
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # no matrix here is large: threads that wait cost more than they give

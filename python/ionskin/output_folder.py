@@ -52,7 +52,7 @@ def save(figure, path, **settings):
 
 
 def write_text(path, text):
-    """Writes a text."""
+    """Writes a text into a file, whole or not at all."""
     with writing(path) as pending:
         pending.write_text(text, encoding="utf-8")
 

@@ -51,7 +51,7 @@ def draw(folders):
 
 
 def main():
-    """Command line."""
+    """Draws the readouts of several runs on one axis of time, by the command line."""
     parser = argparse.ArgumentParser(prog="ionskin.readouts", description=__doc__)
     parser.add_argument("folders", type=pathlib.Path, nargs="+", help="output folders of runs")
     parser.add_argument("-o", "--output", type=pathlib.Path, required=True, help="figure to write")

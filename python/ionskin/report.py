@@ -57,7 +57,7 @@ def claims_section(study, wanted=False):
 
 
 def page(results, with_claims=False):
-    """The whole page."""
+    """The page of a run, as HTML."""
     charts = list(figures.charts(results))
     top = next((each for name in ANSWER for each in charts if each[0].name == name), None)
     drawn = [chart_section(results, *each) for each in charts if each != top]
@@ -92,7 +92,7 @@ def make_report(folder, with_claims=False, *, files=False, progress=None, left_o
     left_out     a list that takes pairs of name and reason of the numbered figures that are not written
     """
     folder = pathlib.Path(folder)
-    told = progress or (lambda part: None)
+    on_progress = progress or (lambda part: None)
     if (folder / "sweep.csv").exists():
         study = Study(folder)
         path = sweep_page.make(study, claims_section(study, with_claims))
@@ -101,10 +101,10 @@ def make_report(folder, with_claims=False, *, files=False, progress=None, left_o
         results = Results(folder)
         path = pages.write_page(folder / "report.html", page(results, with_claims))
     if files:
-        missing = make_gallery(folder, progress=told, results=results)
+        missing = make_gallery(folder, progress=on_progress, results=results)
         if left_out is not None:
             left_out += missing
-    told(1.0)
+    on_progress(1.0)
     return path
 
 
@@ -133,7 +133,7 @@ def tell_progress(part):
 
 
 def main():
-    """Command line."""
+    """Runs the command line of `ionskin report`."""
     parser = argparse.ArgumentParser(prog="ionskin.report", description=__doc__)
     parser.add_argument("folder", type=pathlib.Path, help="output folder of a run or a sweep")
     parser.add_argument("--figures", action="store_true", help="every figure as a file too")

@@ -200,8 +200,8 @@ class Results:
         found = mechanics(self.folder / "results.h5") if wanted else None
         if found is None:
             with whole(self.folder / "manifest.json"):
-                told = reason(self.folder, self.manifest)
-            raise FileNotFoundError(told)
+                message = reason(self.folder, self.manifest)
+            raise FileNotFoundError(message)
         columns, units, metrics = found
         self.signals, self.sampled = Table(columns, units), Table({"time": numpy.empty(0)}, {"time": "s"})
         self.metrics = {name: Metric(value, unit) for name, value, unit in metrics}

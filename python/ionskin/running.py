@@ -60,7 +60,7 @@ def sweep(case: Case, over: Mapping[str, str | Sequence[Any]], output: str | os.
               with `threads` threads, 1 by default; ClusterError when points are left
 
     The others are those of `run`. A point that fails is a point with its reason. Raises CaseError before any work,
-    SolverError when every point failed, and KeyboardInterrupt; finished points stay, and resume=True goes on.
+    SolverError when every point failed, and KeyboardInterrupt; finished points stay, and resume=True continues.
     """
     _require("sampling", sampling, SAMPLINGS)
     _require("only", only, STUDIES[:2])

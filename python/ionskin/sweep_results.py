@@ -174,7 +174,7 @@ class Study:
         return ", ".join(f"{symbol(key)} = {value_text(member.values[key], unit)}" for key, unit in self.sweep.keys.items())
 
     def panel_label(self, member):
-        """The same for the title of a small panel: of a scattered study its point and the value along the key."""
+        """Title of a small panel: value with symbol; of a scattered study its point and the value along the key."""
         if not self.scattered:
             return self.label(member)
         return f"point {member.number}, {symbol(self.key)} = {value_text(member.value, self.unit)}"

@@ -167,6 +167,16 @@ class Words(DocumentedTest):
         for pattern in (r'name: "(.+)"', r'title: "ionskin: (.+)"', r"date-released: (\d{4})-"):
             self.assertIn(re.search(pattern, citation)[1], cited)
 
+    def test_pages_name_the_version_of_the_program(self):
+        version = self.run_program("--version").stdout.split()[1]
+        latest = re.search(r"^## (\d+\.\d+\.\d+)", (ROOT / "CHANGELOG.md").read_text(), re.MULTILINE)[1]
+        self.assertEqual(version, latest)
+        page = f"docs/release-{version.rpartition('.')[0]}.md"
+        self.assertTrue((ROOT / page).exists(), page)
+        for name in ("README.md", "docs/install.md"):
+            packages = re.findall(r"ionskin[_-](\d+\.\d+\.\d+)[_-]", (ROOT / name).read_text())
+            self.assertEqual(set(packages), {version}, name)
+
 
 if __name__ == "__main__":
     unittest.main()

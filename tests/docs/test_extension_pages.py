@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""docs/laws.md, docs/circuits.md and docs/shapes.md, carried out step by step on a copy of the sources and of the build."""
+"""docs/laws.md, docs/circuits.md, docs/shapes.md and docs/small-additions.md, carried out step by step on a copy of the sources
+and of the build."""
 
 import filecmp
 import os
@@ -15,11 +16,11 @@ from moved_build import move_build
 from program import PROGRAM, ROOT, metric, signals, summary
 from tiers import long_test
 
-LAWS, CIRCUITS, SHAPES = (ROOT / "docs" / name for name in ("laws.md", "circuits.md", "shapes.md"))
+LAWS, CIRCUITS, SHAPES, SMALL = (ROOT / "docs" / f"{name}.md" for name in ("laws", "circuits", "shapes", "small-additions"))
 COPIED = ("apps", "benchmarks", "cases", "cmake", "docs", "examples", "fuzz", "materials", "packaging", "python", "src",
           "studio", "tests", "verification", "CHANGELOG.md", "CITATION.cff", "CMakeLists.txt", "CMakePresets.json",
           "LICENSE", "Makefile", "README.md")
-NEW = re.compile(r"New file `([^`]+)`:\n\n```cpp\n(.*?)^```", re.DOTALL | re.MULTILINE)
+NEW = re.compile(r"New file `([^`]+)`:\n\n```\w+\n(.*?)^```", re.DOTALL | re.MULTILINE)
 FILE = re.compile(r"\b[Ii]n `([^`]+)`")
 EDIT = re.compile(r"in\s+place\s+of\n\n```\w+\n(.*?)\n```\n\nwrite\n\n```\w+\n(.*?)\n```", re.DOTALL)
 
@@ -65,7 +66,7 @@ class Steps(unittest.TestCase):
         cls.addClassCleanup(shutil.rmtree, cls.folder, ignore_errors=True)
         cls.tree = cls.folder / "tree"
         copy_sources(cls.tree)
-        cls.named = {page: carry_out(page, cls.tree) for page in (LAWS, CIRCUITS, SHAPES)}
+        cls.named = {page: carry_out(page, cls.tree) for page in (LAWS, CIRCUITS, SHAPES, SMALL)}
 
     def test_the_files_that_the_pages_name_are_all_that_differ(self):
         touched = set()
@@ -87,6 +88,9 @@ class Steps(unittest.TestCase):
             "src/ionskin/shapes/paraboloid.hpp", "src/ionskin/shapes/paraboloid.cpp", "src/ionskin/shapes/shape.cpp",
             "src/ionskin/shapes/CMakeLists.txt", "tests/unit/shapes/paraboloid_test.cpp",
             "tests/unit/shapes/CMakeLists.txt"})
+        self.assertEqual(self.named[SMALL], {
+            "src/ionskin/circuits/instruments.cpp", "materials/example_gel.toml", "python/ionskin/figures.py",
+            "tests/unit/results/report_test.py"})
 
 
 @long_test
@@ -143,6 +147,12 @@ class Built(Steps):
         refused = self.shell("build/ionskin check cases/paper/coarse.toml --set slider.radius_x='\"8 mm\"'", expect=2).stderr
         self.assertIn("slider.radius_x does not belong to this shape of slider", refused)
         self.assertIn('choose slider.shape = "paraboloid"', refused)
+
+    def test_an_instrument_a_material_and_a_figure(self):
+        self.run_commands(SMALL)
+        self.assertIn("a bench amplifier and a 12-bit converter", self.shell("build/ionskin keys readout.instrument").stdout)
+        explained = self.shell("build/ionskin check cases/paper/coarse.toml --explain --set skin.layers[1].material=example_gel").stdout
+        self.assertRegex(explained, r"materials.example_gel.youngs_modulus\s+1000000 Pa")
 
     def parameters_belong_to_their_law(self):
         """A parameter of another law is refused, a missing one asked for, the stored case says both laws' own."""

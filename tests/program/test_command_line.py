@@ -13,6 +13,7 @@ import physical_cases  # noqa: E402
 
 MISTAKES = (
     (("runn", "x"), '"runn" is not a verb of ionskin', "did you mean run?"),
+    (("new", "x.toml"), '"new" is not a verb of ionskin', "did you mean init?"),
     (("nonsense",), '"nonsense" is not a verb of ionskin', "verbs: init, check, run"),
     (("help",), '"help" is not a verb of ionskin', "write ionskin --help"),
     (("init", "x.toml", "--from"), "--from lacks its value", "choose one of paper, quick, finger"),
@@ -22,7 +23,7 @@ MISTAKES = (
      "write --set contact.friction=0.2"),
     (("run", QUICK, "--stroke=3 mm", "-o", "out"), "ionskin run has no option --stroke", '--set "motion.stroke=3 mm"'),
     (("check", QUICK, "--explian"), "ionskin check has no option --explian", "did you mean --explain?"),
-    (("--explain", "check", QUICK), "--explain stands before the verb", "ionskin check --explain"),
+    (("--explain", "check", QUICK), "--explain comes before the verb", "ionskin check --explain"),
     (("report", "out", "--explain"), "ionskin report has no option --explain", "it is an option of ionskin check"),
     (("run",), "ionskin run lacks CASE.toml and --output DIR", "write ionskin run CASE.toml --output DIR"),
     (("run", QUICK, "--set", "motion.stroke=3", "mm", "-o", "out"), '"mm" is one word too many for ionskin run', "quotes"),

@@ -85,7 +85,7 @@ class CorruptFolders(ProgramTest):
                 self.assertEqual(summary(out)["metrics"], self.metrics, done)
             shutil.rmtree(out)
 
-    def test_damage_is_told(self):
+    def test_damage_is_reported(self):
         out = self.folder / "begun"
         for name in ("results.h5", "checkpoint.h5"):
             content = bytearray((out / name).read_bytes())

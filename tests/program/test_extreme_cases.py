@@ -136,7 +136,7 @@ class ExtremeCases(ProgramTest):
                 self.assertAlmostEqual(metrics["normal_force_slide"]["value"] / force, 1, 6)
                 self.assertAlmostEqual(metrics["tangential_force_slide"]["value"] / (friction * force), 1, 6)
 
-    def test_errors_above_the_value_are_told(self):
+    def test_errors_above_the_value_are_reported(self):
         found = self.solved("rounded edges without friction")
         beyond = [name for name, error in found["error_estimate"].items()
                   if error > 1 and name not in found["not_converging"]]

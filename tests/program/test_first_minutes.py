@@ -52,14 +52,14 @@ class FirstMinutes(ProgramTest):
         for words in ("Debye length", "contact", "unknowns", "memory", "contact.friction"):
             self.assertIn(words, explained)
 
-    def test_a_round_contact_is_found_before_its_cost_is_told(self):
+    def test_a_round_contact_is_found_before_its_cost_is_reported(self):
         ball = ("check", QUICK, "--json", "--set", "slider.shape=sphere", "--set", "slider.radius=4 mm",
                 "--set", "numerics.mesh_refinement=0.5")
         guessed = json.loads(self.run_program(*ball).stdout)["cost"]
         found = json.loads(self.run_program(*ball, "--explain").stdout)["cost"]
         self.assertNotEqual(found["memory_bytes"], guessed["memory_bytes"])
 
-    def test_keys_without_a_meaning_in_a_case_are_told_apart(self):
+    def test_keys_without_a_meaning_in_a_case_are_distinguished(self):
         applicable = json.loads(self.run_program("check", QUICK, "--json").stdout)["applicable"]
         self.assertIn("slider.youngs_modulus", applicable)
         self.assertNotIn("slider.poissons_ratio", applicable)

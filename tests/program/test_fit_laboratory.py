@@ -93,7 +93,7 @@ class LaboratoryData(ProgramTest):
             "swapped and late": (self.time[:-5] + 0.05, -noisy[:-5], "correlate with minus the model"),
             "zero": (self.time, 0 * noisy, "the data hold no signal"),
             "constant": (self.time, 0 * noisy + 3.5e-5, "the data are constant"),
-            "twice": (twice, numpy.insert(noisy, 60, 0), "stands twice"),
+            "twice": (twice, numpy.insert(noisy, 60, 0), "appears twice"),
             "behind": (self.time + 5, noisy, "subtract it: 5 s"),
             "epoch": (self.time + EPOCH, noisy, "subtract it: 1403636580.8"),
             "late": (self.time[:-2] + 0.013, noisy[:-2] + 0.02 * self.size, "--free data.time_shift"),
@@ -108,7 +108,7 @@ class LaboratoryData(ProgramTest):
                 self.assertFalse((self.folder / "out" / "fit.json").exists())
         self.run_program("fit", QUICK, *self.edits, "--data", self.data(self.time, noisy), "--free", K, "-o", "out")
 
-    def test_records_that_are_worse_than_the_interval_says_are_told(self):
+    def test_records_that_are_worse_than_the_interval_says_are_reported(self):
         limit = 0.5 * self.size
         clipped = self.fit(self.data(self.time, numpy.clip(self.current, -limit, limit)))
         self.assert_warns(clipped, "saturated")

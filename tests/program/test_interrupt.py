@@ -135,7 +135,7 @@ mobility = "5e-17 m2/(Pa s)"
         self.assertIn("--resume", self.run_program("report", "out", expect=2).stderr)
 
     def test_solver_that_gives_up_on_its_way_keeps_the_signals_until_then(self):
-        """Ions too crowded for the charge that shear asks for: exit 3 in the middle, and --resume goes on from there."""
+        """Ions too crowded for the charge that shear asks for: exit 3 in the middle, and --resume continues from there."""
         case = (QUICK, "-o", "out", *(word for edit in (
             "skin.sides=symmetry", "skin.length=10 mm", "motion.stroke=1 mm", "numerics.mesh_refinement=0.3", "numerics.time_refinement=0.3",
             "numerics.error_estimate=off", "electrochemistry.ion_model=steric",

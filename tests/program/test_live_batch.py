@@ -147,7 +147,7 @@ class LiveBatchTest(ProgramTest):
         for name in names:
             numpy.testing.assert_array_equal(signals[name], wide[name].astype(numpy.float32))
 
-    def test_mistakes_are_told(self):
+    def test_mistakes_are_reported(self):
         skins = Skins(self.trained, COUNT)
         positions, forces = inputs(3)
         for match, act in (

@@ -79,7 +79,7 @@ class Recording(ProgramTest):
         self.run_program("run", self.case, *SMALL, "-o", "out", "--overwrite", "--no-report", "--only", "mechanics")
 
     def coarser(self, *arguments):
-        """The same path of few rows, run."""
+        """Runs the path with few rows."""
         self.path(*arguments, "--rate", "20 Hz")
         self.run_path()
 
@@ -214,8 +214,8 @@ class Recording(ProgramTest):
             (self.table("empty.csv", "t,x,y,z"),): "no row stands below the header",
             (self.table("bare.csv", "0,1,2,3", [1], [2], [3], [4]),): "has no header",
             (self.table("dates.csv", "time,x,y,z", ["2026-11-29T08:00:00Z", "2026-11-29T08:00:01Z"], [1, 2], [1, 2], [0, 1]),):
-                'time holds "2026-11-29T08:00:00Z" in line 2, no number',
-            (self.table("marks.csv", "time,x,y,z", [0, 1], [1, 2], [1, 2], [0, "\u22121"]),): "in line 3, no number",
+                'time holds "2026-11-29T08:00:00Z" in line 2, which is not a number',
+            (self.table("marks.csv", "time,x,y,z", [0, 1], [1, 2], [1, 2], [0, "\u22121"]),): "in line 3, which is not a number",
             (self.table("capital.csv", "TIME (S),X (mm),Y (mm),Z (mm)", [0, 1], [1, 2], [1, 2], [0, 1]),):
                 "the unit [S] of time does not convert to s",
             (self.table("bars.csv", "time|x|y|z", [0, 1], [1, 2], [1, 2], [0, 1], separator="|"),): "tr -s '|' ','",

@@ -70,7 +70,7 @@ class Prescribed(ProgramTest):
         voltage = signals(self.folder / "open", "water")["streaming_voltage"][-1]
         self.assertAlmostEqual(voltage / (2.5 * 1.8e-5 / 96485 * 100e3), 1, delta=0.01)
 
-    def test_loads_that_exclude_each_other_are_told(self):
+    def test_loads_that_exclude_each_other_are_reported(self):
         for edits, words in ((["strain.pressure=1 kPa"], "more than one load"),
                              (["strain.curvature=0 1/m"], "no load is prescribed"),
                              (["strain.curvature=0 1/m", "strain.compression=20 um"], "more than a tenth of the core"),

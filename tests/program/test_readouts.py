@@ -238,7 +238,7 @@ class Readouts(ProgramTest):
         passed = -numpy.cumsum(numpy.diff(load["time"]) * middle) / 20
         self.assertLess(numpy.abs(passed - load["charge"][1:]).max(), 0.02 * numpy.abs(load["charge"]).max())
 
-    def test_what_rounding_makes_is_not_told(self):
+    def test_what_rounding_makes_is_not_reported(self):
         edits = ("strain.source=file", f'strain.file="{self.strain}"', "readout.circuit=load",
                  "readout.load_resistance=1e12 Ohm", "numerics.mesh_refinement=0.5")
         told = self.run_program("run", QUICK, *ROLLERS, *(word for edit in edits for word in ("--set", edit)), "-o", "huge",

@@ -52,7 +52,7 @@ class StatedErrors(ProgramTest):
         self.assertFalse(list((self.folder / "silent").glob("*_error.csv")))
 
     def bands_stand_beside_the_signals(self):
-        """Same rows and columns as the signals; widths are not negative numbers."""
+        """Bands have the rows and columns of the signals; widths are not negative."""
         for table in ("signals", "sampled"):
             with (open(self.folder / "out" / f"{table}.csv", encoding="utf-8") as values,
                   open(self.folder / "out" / f"{table}_error.csv", encoding="utf-8") as errors):

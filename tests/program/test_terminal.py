@@ -114,7 +114,7 @@ class Terminal(ProgramTest):
         self.assertLessEqual(max(map(len, shown)), 60)
         self.assertEqual(" ".join(line.strip() for line in shown), " ".join(lines))
 
-    def test_results_are_told_as_the_page_tells_them(self):
+    def test_results_are_reported_as_on_the_page(self):
         said = self.run_program("run", QUICK, "-o", "out", "--progress", "none", "--set", "numerics.mesh_refinement=0.3").stdout
         lead = re.search(r'<p class="lead">(.*?)</p>', (self.folder / "out" / "report.html").read_text())[1]
         self.assertEqual(said.splitlines()[0], html.unescape(re.sub("<[^>]*>", "", lead)))

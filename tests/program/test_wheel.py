@@ -20,13 +20,13 @@ class WheelTest(ProgramTest):
                               env={"PATH": "/usr/bin:/bin", "PYTHONPATH": str(self.folder / "site")}, cwd=self.folder, **settings)
 
     def test_live_skins_and_the_program_work_from_it(self):
-        made = subprocess.run([ROOT / "scripts" / "make_wheel.py", PROGRAM.parent, "0.2.0"], capture_output=True, text=True,
+        made = subprocess.run([ROOT / "scripts" / "make_wheel.py", PROGRAM.parent, "0.3.0"], capture_output=True, text=True,
                               check=False)
         self.assertEqual(made.returncode, 0, made.stderr)
         wheel = made.stdout.strip()
         self.assertRegex(wheel, r"/ionskin-0\.2\.0-py3-none-manylinux_2_\d+_\w+\.whl$")
         with zipfile.ZipFile(wheel) as archive:
-            rows = list(csv.reader(io.StringIO(archive.read("ionskin-0.2.0.dist-info/RECORD").decode())))
+            rows = list(csv.reader(io.StringIO(archive.read("ionskin-0.3.0.dist-info/RECORD").decode())))
             self.assertEqual({row[0] for row in rows}, set(archive.namelist()))
             for name, digest, _ in rows[:-1]:
                 expected = base64.urlsafe_b64encode(hashlib.sha256(archive.read(name)).digest()).rstrip(b"=").decode()

@@ -29,6 +29,14 @@ class CheckComments(unittest.TestCase):
         self.assertEqual(self.lines("/// Of the bottom electrode.\nint a;\n/// Whether it moves.\nint b;\n"
                                     "  // Those of the core.\nint c;\n/// That of the\n/// skin.\nint d;\n"), [1, 3, 5, 7])
 
+    def test_comments_that_leave_the_subject_to_the_one_before(self):
+        self.assertEqual(self.lines("/// The same of a file that is open.\nint a;\n/// Likewise of a pipe.\nint b;\n"
+                                    "/// The same bits as alone.\nint c;\n"), [1, 3, 5])
+
+    def test_headers_say_more_of_a_function_than_its_parameters(self):
+        self.assertEqual(self.lines("/// @param a first\n///   of all\nint sum(int a);\n/// @param a first\nexplicit Sum(int a);\n"
+                                    "/// Sum. @param a first\nint sum(int a);\n/// @returns the sum\nint sum();\n"), [1, 8])
+
     def test_a_preposition_needs_a_comma_in_its_own_sentence(self):
         self.assertEqual(self.lines("/// Over the core [C]. One entry, if any.\nint a;\n/// On a drive, it swings.\nint b;\n"), [1])
 

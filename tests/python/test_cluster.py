@@ -86,7 +86,7 @@ class ClusterTasks(PackageTest):
             with self.assertRaises(ionskin.CaseError):
                 cluster_main.require_idle(self.folder)
 
-    def test_a_scheduler_that_is_gone_is_told_at_once(self):
+    def test_a_scheduler_that_is_gone_is_reported_at_once(self):
         with socket.socket() as taken:  # bound, but nobody listens
             taken.bind(("127.0.0.1", 0))
             path = self.folder / "scheduler.json"

@@ -56,7 +56,7 @@ class Fit(PackageTest):
         self.assertEqual(again[K], exact[K])
         self.assertLess(before, 60)
 
-    def test_keys_that_the_data_cannot_tell_apart(self):
+    def test_keys_that_the_data_cannot_distinguish(self):
         """In linear response to a small coupling, c0 and k act as their product."""
         fit = ionskin.FitModel(self.off(), [K, D, "electrochemistry.fixed_charge_concentration",
                                             "electrochemistry.permittivity"]).fit(self.time, self.noisy(1))

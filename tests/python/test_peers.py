@@ -81,7 +81,7 @@ class Program(unittest.TestCase):
         self.assertEqual(told.returncode, 0, told.stderr)
         self.assertIn("--reference", told.stdout)
 
-    def test_a_missing_program_is_told_before_any_work(self):
+    def test_a_missing_program_is_reported_before_any_work(self):
         told = self.answer("no/such/ionskin")
         self.assertEqual(told.returncode, 2)
         self.assertIn("no/such/ionskin", told.stderr)

@@ -48,12 +48,12 @@ class Instant:
 
     workers = 1
 
-    def evaluate(self, case, trials, folder, told):
+    def evaluate(self, case, trials, folder, on_result):
         """Evaluates as LocalEngine.evaluate does."""
         for trial in trials:
             path = folder / f"{trial.number:06}.npz"
             outcome_of(trial).write(path)
-            told(trial, Outcome.read_back(path))
+            on_result(trial, Outcome.read_back(path))
 
 
 def outcome_of(trial):
@@ -229,7 +229,7 @@ class Stores(PackageTest):
         with self.assertRaisesRegex(ionskin.CaseError, "a pipe"):
             ionskin.Case.from_file(self.folder / "case.toml")
 
-    def test_disks_that_are_too_small_are_told_before_any_work(self):
+    def test_disks_that_are_too_small_are_reported_before_any_work(self):
         self.case = CASES / "paper" / "coarse.toml"  # a strain file tells how long it lasts when it is read
         with mock.patch.dict(os.environ, {"IONSKIN_DISK_LIMIT": "1 kB"}):
             for study in STUDIES:

@@ -79,7 +79,7 @@ class RunTests(unittest.TestCase):
         for properties, wrong in (([limit, tier], 0), ([tier], 1), ([limit], 1), ([], 2), ([limit, two], 1)):
             self.assertEqual(len([*run_tests.complaints([{"name": "one", "properties": properties}])]), wrong, properties)
 
-    def test_the_longest_and_the_skipped_are_told(self):
+    def test_the_longest_and_the_skipped_are_reported(self):
         found = [(float(seconds), name) for name, _, seconds in run_tests.TEST.findall(LOG)]
         self.assertEqual(found, [(1.5, "fast"), (20.25, "slow")])
         self.assertEqual(run_tests.SKIPPED.findall(LOG), ["skipped unexpectedly: some.test: no telescope"])

@@ -54,14 +54,14 @@ double charge(const IonSolution& solution, double time) {
   return charge_difference(solution, row_at(solution, time)) / (charge_density * electrode_area);
 }
 
-/// [A/m2]
+/// Mean current between two instants of a solution [A/m2].
 double mean_current(const IonSolution& solution, double time) {
   const double gained = charge_difference(solution, row_at(solution, after * time)) -
                         charge_difference(solution, row_at(solution, before * time));
   return gained / ((after - before) * time * electrode_area);
 }
 
-/// The same by the closed form.
+/// Mean current between these instants by the closed form [A/m2].
 double expected_current(const LinearCell& cell, double time) {
   const auto charge_at = [&](double instant) {
     return inverse_laplace([&](LinearCell::Complex s) { return cell.short_charge(s); }, instant);

@@ -161,7 +161,7 @@ StickSlip in_steps(double step) {
   return peaks.mean();
 }
 
-/// The same block as a case of its own: a flat slider on a skin that is stiff all through,
+/// The block as a case of its own: a flat slider on a skin that is stiff all through,
 /// whose steps find their length themselves.
 StickSlip as_case(double time_refinement, const Options& options) {
   Case input = baseline_case();

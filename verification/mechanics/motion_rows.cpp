@@ -88,7 +88,7 @@ void add_difference(const std::string& quantity, const Difference& difference, d
   rows.push_back(at_most("M9", quantity + ", shear", difference.shear, combined_strain));
 }
 
-/// The same slide seen in a mirror along x, along y or along both.
+/// A slide seen in a mirror along x, along y or along both.
 Case mirrored(Case input, const std::array<double, 2>& mirror) {
   const std::array<double, 2> extent{input.skin.length, input.skin.width};
   for (std::size_t d = 0; d < 2; ++d) {

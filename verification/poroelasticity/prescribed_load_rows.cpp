@@ -27,7 +27,7 @@ Case bent(SideCondition sides) {
   return input;
 }
 
-/// The same where no water moves, once the double layers have relaxed.
+/// Voltage of the case without water that moves, once the double layers have relaxed.
 double first_voltage(Case input, const Options& options) {
   input.water.mobility = 1e-40;
   return final_voltage(input, 1.0, options);

@@ -32,7 +32,8 @@ double permeated(double time) {
   return sum;
 }
 
-/// The same of the elements: what flows steadily, less what the layer has taken up on its way.
+/// Permeated amount by finite elements: what flows steadily, less what the layer has taken up on
+/// its way.
 double permeated(std::size_t elements, double time) {
   const Layer layer{elements, {open_wall, open_wall}};
   std::vector<double> taken = layer.after_step([](double z) { return z - 1; }, time);

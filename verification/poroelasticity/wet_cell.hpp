@@ -19,8 +19,8 @@ inline constexpr double small_pressure = 1e4, per_megapascal = 1e6 / small_press
 /// undrained core is all but incompressible, so that closed forms hold.
 Case wet_case();
 
-/// The same with protons and the water of a wet membrane: mobility 5e-17 m2/(Pa s), drained modulus
-/// 200 MPa, dilution in pore water of 1/2.6 of the volume.
+/// The wet case with protons and the water of a wet membrane: mobility 5e-17 m2/(Pa s), drained
+/// modulus 200 MPa, dilution in pore water of 1/2.6 of the volume.
 Case proton_case();
 
 /// 1 - (2 lambda/h) tanh(h/(2 lambda)): of the open-circuit voltage of a thick core, the double

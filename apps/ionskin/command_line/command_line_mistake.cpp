@@ -9,7 +9,9 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <optional>
+#include <string_view>
 
 namespace ionskin::apps {
 namespace {
@@ -74,9 +76,29 @@ std::string usage(const CLI::App& app, const CLI::App& verb) {
   return text;
 }
 
+/// The verb that does what a word stands for in other programs; empty for any other word.
+std::string verb_of_other_programs(const std::string& word) {
+  static constexpr std::array<std::array<std::string_view, 2>, 11> known{{{"new", "init"},
+                                                                          {"create", "init"},
+                                                                          {"solve", "run"},
+                                                                          {"simulate", "run"},
+                                                                          {"validate", "check"},
+                                                                          {"explain", "check"},
+                                                                          {"plot", "report"},
+                                                                          {"figures", "report"},
+                                                                          {"gui", "studio"},
+                                                                          {"diff", "compare"},
+                                                                          {"train", "live"}}};
+  const auto found =
+      std::ranges::find(known, std::string_view(word), [](const auto& pair) { return pair[0]; });
+  return found != known.end() ? std::string((*found)[1]) : "";
+}
+
 std::string unknown_verb(const CLI::App& app, const std::string& word) {
   const auto names = verb_names(app);
-  const std::string nearest = nearest_choice(word, names);
+  const std::string other = verb_of_other_programs(word);
+  const bool has_other = std::ranges::find(names, other) != names.end();
+  const std::string nearest = has_other ? other : nearest_choice(word, names);
   if (nearest.empty() && word.ends_with(".toml")) {
     return message(fmt::format("\"{}\" is not a verb of {}", word, app.get_name()),
                    fmt::format("to run a case: {} run {} --output DIR", app.get_name(), word));
@@ -104,8 +126,8 @@ std::string unknown_option(const CLI::App& app, const CLI::App& verb, const std:
   const std::string name = option.substr(0, option.find('='));
   const std::string problem = fmt::format("{} has no option {}", call(app, verb), name);
   if (has_option(verb, name)) {
-    return message(fmt::format("{} stands before the verb", name),
-                   fmt::format("write it behind: {} {}", call(app, verb), option));
+    return message(fmt::format("{} comes before the verb", name),
+                   fmt::format("write it after the verb: {} {}", call(app, verb), option));
   }
   const std::string nearest = base::nearest_name(name, option_names(verb));
   const std::string key =
@@ -197,7 +219,7 @@ std::string explain_mistake(const CLI::App& app, const CLI::ParseError& error,
     return message(
         fmt::format("\"{}\" is one word too many for {}",
                     extra == words.end() ? extras.front() : *extra, call(app, verb)),
-        fmt::format("a value with blanks stands in quotes; usage: {}", usage(app, verb)));
+        fmt::format("put a value that contains blanks in quotes; usage: {}", usage(app, verb)));
   }
   if (const auto choice = unknown_choice(text)) {
     return *choice;

@@ -119,11 +119,10 @@ void add_motion(CLI::App& app, Command& command) {
   verb->add_option("-o,--output", options->output, "File of the path, such as path.csv")
       ->required()
       ->type_name("PATH.csv");
-  add_list(
-      *verb, "--column", options->columns,
-      "Which column is what, where its name does not tell: \"z=tip height [mm]\"; roles: time, "
-      "x, y, z, qx, qy, qz, qw, fx, fy, fz, height, force",
-      "ROLE=NAME");
+  add_list(*verb, "--column", options->columns,
+           "Meaning of a column whose name does not say it: \"z=tip height [mm]\"; roles: time, "
+           "x, y, z, qx, qy, qz, qw, fx, fy, fz, height, force",
+           "ROLE=NAME");
   const auto text = [&](const char* name, std::string& value, const char* help, const char* type) {
     verb->add_option(name, value, help)->type_name(type);
   };

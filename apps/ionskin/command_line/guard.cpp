@@ -49,7 +49,8 @@ int guarded(const std::function<int()>& body) {
     return fail(ExitCode::solver_gave_up,
                 fmt::format("error: {}\nremedy: {}", error.what(), error.remedy()));
   } catch (const Interrupted&) {
-    return fail(ExitCode::interrupted, "interrupted: what was finished is kept; --resume goes on");
+    return fail(ExitCode::interrupted,
+                "interrupted: what was finished is kept; --resume continues");
   } catch (const std::bad_alloc&) {
     return fail(ExitCode::solver_gave_up,
                 "error: out of memory\nremedy: use fewer --threads or a coarser numerics.preset");

@@ -17,6 +17,7 @@ inline int usable_processors() {
   return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
+/// Number of threads that a command uses.
 /// @param wanted value of --threads; 0 stands for all processors
 inline int thread_count(int wanted) {
   return wanted > 0 ? wanted : usable_processors();

@@ -5,8 +5,8 @@
 
 namespace ionskin::apps {
 
-/// Runs the verification set, prints a row per figure and a line of totals. Exit code 0 only if all
-/// pass.
+/// Runs the verification set, prints one row for each figure and a line of totals. Exit code 0 only
+/// if all pass.
 int verify(const VerifyOptions& options);
 
 } // namespace ionskin::apps

@@ -23,6 +23,7 @@ public:
   ProgressDisplay(const ProgressDisplay&) = delete;
   ProgressDisplay& operator=(const ProgressDisplay&) = delete;
 
+  /// Shows how far an activity is.
   /// @param fraction finished part of the activity in [0, 1]; less than before is taken as before,
   /// but after 1, which begins the activity anew
   void update(std::string_view activity, double fraction);

@@ -36,7 +36,7 @@ constexpr std::size_t most_instants = 16, last_instants = 4;
 
 std::string row(const std::string& name, const std::string& value, const std::string& note = "") {
   return note.empty() ? fmt::format("  {:<34} {}\n", name, value)
-                      : fmt::format("  {:<34} {:<14} {}\n", name, value, note);
+                      : fmt::format("  {:<34} {:<13}  {}\n", name, value, note);
 }
 
 std::string values(const CaseDocument& document) {

@@ -16,7 +16,7 @@ def sampled_rate(results):
 
 
 def sampled_moment_rate(results):
-    """The same for the first moment of the shear over the thickness [1/s]."""
+    """Mean rate of the first moment of the shear over the thickness, on the rows of `sampled` [1/s]."""
     edges = numpy.concatenate([[results.signals["time"][0]], results.sampled["time"]])
     return numpy.diff(results.signals.at("shear_first_moment", edges)) / numpy.diff(edges)
 

@@ -42,7 +42,7 @@ def first_order(values, data):
 
 
 class Sensitivity(NamedTuple):
-    """Arrays [metric, key]."""
+    """Sensitivities of metrics to swept keys, as arrays [metric, key]."""
 
     metrics: list
     keys: list

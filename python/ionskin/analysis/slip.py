@@ -66,7 +66,7 @@ def error(results, name):
     return sum(results.summary.get("error_parts", {}).get(name, {}).values())
 
 
-class Told(NamedTuple):
+class Precursor(NamedTuple):
     """A current's answer to whether it shows a slip before the slip happens.
 
     departure, error, noise  of a reading, its stated error, and the noise floor [A]; NaN where there are none
@@ -82,12 +82,12 @@ class Told(NamedTuple):
     interval: float
 
     @property
-    def told(self):
+    def certain(self):
         """A reading falls for certain between where the current is seen and full slip, and stands above noise and error."""
         return bool(self.lead - self.lead_error >= self.interval and self.departure - self.error > SEEN * self.noise)
 
 
-def told(results, current):
+def precursor(results, current):
     """Answer of a current, "difference" or "common", to whether it shows the onset of slip of a run beforehand."""
     def number(name):
         found = value(results, name)
@@ -97,5 +97,5 @@ def told(results, current):
     interval = float(time[0]) if len(time) else numpy.nan
     name = f"precursor_current_{current}"
     lead = f"precursor_lead_time_{current}"
-    return Told(number(name), error(results, name), number("precursor_noise_floor"), number(lead), error(results, lead),
+    return Precursor(number(name), error(results, name), number("precursor_noise_floor"), number(lead), error(results, lead),
                 interval)

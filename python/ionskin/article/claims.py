@@ -62,7 +62,7 @@ def monotone(study, metric, words):
 
 
 def rising_rank(study, claim, values):
-    """The same where other keys vary too: by ranks."""
+    """Verdict on a claim that values rise with a key, by ranks, since other keys vary too."""
     rank = sensitivity.rank_correlation([member.value for member in study.members], values)
     number = f"rank correlation {rank:.2f} over {len(values)} points, whose other keys vary too"
     return Verdict(claim, CONDITION if rank >= FOLLOWS else FAILS if rank <= 0 else OPEN, number)
@@ -72,7 +72,7 @@ def two_regimes(study, metric, words):
     """A metric has a weak and a strong regime."""
     claim = f"two regimes: {words} rises faster at high {study.name}"
     if study.scattered:
-        return Verdict(claim, OPEN, "several keys vary at once: a sweep along one key would tell")
+        return Verdict(claim, OPEN, "several keys vary at once: a sweep along one key would decide it")
     fit = regimes.fit([member.value for member in study.members], study.metric(metric))
     if fit is None:
         return Verdict(claim, OPEN, f"it needs {regimes.FEWEST} points or more")
@@ -175,7 +175,7 @@ def transient(study):
 
 
 def shear_signals(study):
-    """Shear itself makes the signal: what the coupling law of the runs says of it."""
+    """Verdict on the claim that shear itself makes the signal, by the coupling law of the runs."""
     claim = "shear itself makes the signal"
     law = study.typical.results.case.get("coupling", {}).get("law", "fixed-charge")
     if law == "poroelastic":
@@ -188,7 +188,7 @@ def more(study, count):
     """A sentence on the claims that this study cannot judge, and how they can be."""
     some = f"{count} more claim{'s' * (count > 1)}"
     if study.single:
-        return (f"{some} are on how results change with friction, which several runs tell: "
+        return (f"{some} are on how results change with friction, which several runs show: "
                 "ionskin sweep CASE.toml --over contact.friction=0.05:0.05:0.5 -o DIR.")
     return f"{some} cannot be judged by these runs: ionskin report DIR --claims says why."
 

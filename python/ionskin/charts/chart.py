@@ -179,7 +179,7 @@ def over_time(results, panels):
 
 
 def with_events(results, panels, span=None):
-    """The same with the begin and the end of the first contact enlarged beside it: events of milliseconds.
+    """A chart over the whole run, with the begin and the end of the first contact enlarged beside it: events of milliseconds.
 
     span  of the first column [s]; None for the whole run
     """
@@ -242,10 +242,10 @@ def joined(words):
     return f"{', '.join(words[:-1])} and {words[-1]}"
 
 
-def telling_coincidence(chart):
-    """The chart with a note on curves that cannot be told apart in it."""
-    told = dict.fromkeys(f"{joined(group)}" for row in chart.rows for cell in row for group in coinciding(cell))
-    return chart._replace(note=" ".join([chart.note, f"These curves coincide: {'; '.join(told)}."]).strip()) if told else chart
+def with_coincidence_noted(chart):
+    """The chart with a note on curves that coincide in it."""
+    groups = dict.fromkeys(f"{joined(group)}" for row in chart.rows for cell in row for group in coinciding(cell))
+    return chart._replace(note=" ".join([chart.note, f"These curves coincide: {'; '.join(groups)}."]).strip()) if groups else chart
 
 
 def quiet_note(words):

@@ -15,7 +15,7 @@ AT_LIMIT = 1e-3  # of the friction limit below which a cell sticks
 
 
 def capped(values, areas, share):
-    """Upper end of a colour scale: what `share` of the area stays below, or 1 for maps of zeros."""
+    """Upper end of a colour scale: the value below which `share` of the area lies, or 1 for maps of zeros."""
     order = numpy.argsort(values, axis=None)
     below = numpy.cumsum(numpy.broadcast_to(areas, values.shape).ravel()[order])
     return float(values.ravel()[order][numpy.searchsorted(below, min(share, 1 - 1e-12) * below[-1])]) or 1.0
@@ -28,8 +28,8 @@ def within(touching):
 
 
 def top_of_scale(values, touching, areas, share):
-    """Upper end of the colours of a map: of a sharp slider what `share` of the touched area lies below, else the largest value
-    away from the rim."""
+    """Upper end of the colours of a map: the value below which `share` of the touched area lies under a sharp slider, else the
+    largest away from the rim."""
     if not touching.any():
         return 1.0
     inner = within(touching)
@@ -53,7 +53,7 @@ def middle_state(file):
 
 
 def contact_maps(results):
-    """Pressure and traction under the slider, what sticks and slips, and the shear in the core; None without a contact."""
+    """Pressure and traction under the slider, stuck and slipping cells, and the shear in the core; None without a contact."""
     if fields_of(results) is None:
         return None
     with fields_of(results) as file:
@@ -71,7 +71,7 @@ def contact_maps(results):
 
 
 def resolution(file, state):
-    """Sentence that says what the map of a round contact does not resolve."""
+    """Sentence on the details that the map of a round contact does not resolve."""
     pressure = mirrored(file, file["contact"][state]["pressure"][...])[1]
     touching = pressure > 0
     inner = within(touching)

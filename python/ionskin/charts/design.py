@@ -49,7 +49,7 @@ def sensitivity(study):
 
 
 def table(title, found, values, low, palette):
-    """Coloured boxes with numbers, a row per metric below its name, a column per key below its symbol."""
+    """Coloured boxes with numbers: one row for each metric below its name, one column for each key below its symbol."""
     shapes, notes = [], [Note(column + 0.5, 0.25, symbol(key), "middle") for column, key in enumerate(found.keys)]
     for row, name in enumerate(found.metrics):
         notes.append(Note(0.03, -row - 0.25, words(name), "start"))

@@ -4,7 +4,7 @@
 from typing import Callable, NamedTuple
 
 from . import fields, sketches
-from .chart import telling_coincidence
+from .chart import with_coincidence_noted
 
 
 class Entry(NamedTuple):
@@ -23,7 +23,7 @@ class Entry(NamedTuple):
     def chart(self, study):
         """The Chart, or the reason for none."""
         chart = self.build(study)
-        return chart if isinstance(chart, str) else telling_coincidence(chart)
+        return chart if isinstance(chart, str) else with_coincidence_noted(chart)
 
 
 def of_run(build, lacks, named=True):

@@ -9,7 +9,7 @@ NO_CONTACT = "the run has no contact"
 
 
 def fields_of(results):
-    """results.h5, or None."""
+    """The open file results.h5 of a run, or None where the run has none."""
     return results.open_fields() if (results.folder / "results.h5").exists() else None
 
 

@@ -51,7 +51,7 @@ def draw_maps(file, found):
 
 
 def fronts(x, y, times):
-    """Lines between what sticks and what slips, at parts of the last time."""
+    """Front between stuck and slipping cells, at parts of the last time."""
     if min(times.shape) < 2 or not peak_of(times):
         return ()
     from contourpy import contour_generator  # of matplotlib, but without it
@@ -64,7 +64,7 @@ def current_cell(results, found, current, time, marks):
     """A current, with three times the noise floor about its value at the first micro-slip."""
     signals, column = results.signals, f"current_{current}"
     marks = tuple(mark._replace(label="") for mark in marks)
-    tells = slip.told(results, current)
+    precursor = slip.precursor(results, current)
     r = slip.value(results, f"precursor_correlation_{current}")
     if r is None:
         return Cell(f"{current.capitalize()} current", time, Axis("current", "A", 0.0, 1.0), marks=marks, height=0.7,
@@ -72,9 +72,9 @@ def current_cell(results, found, current, time, marks):
     since = signals["time"] - found.begin
     shown = (since > 0) & (numpy.roll(since, 1) <= time.high)  # with the step that goes on beyond the end
     value = float(numpy.interp(found.micro, signals["time"], signals[column]))
-    floor = slip.SEEN * tells.noise
-    spans = (Span(value - floor, value + floor, PALE, "y"),) if numpy.isfinite(tells.noise) else ()
-    seen = "" if tells.departure > tells.noise else "; no reading before full slip shows it"
+    floor = slip.SEEN * precursor.noise
+    spans = (Span(value - floor, value + floor, PALE, "y"),) if numpy.isfinite(precursor.noise) else ()
+    seen = "" if precursor.departure > precursor.noise else "; no reading before full slip shows it"
     curve = Curve(since[shown], signals[column][shown], "", COLOURS[current], "over", 1.0)
     return Cell(f"{current.capitalize()} current, correlation with the stuck share {r:.2f}{seen}", time, Axis("current", "A"), (curve,),
                 spans, marks, height=0.7)

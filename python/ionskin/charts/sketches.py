@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Figures 2 and 3: the layers with what holds on their faces, and the stages of a cycle."""
+"""Figures 2 and 3: the layers with the conditions on their faces, and the stages of a cycle."""
 
 import numpy
 
@@ -29,7 +29,7 @@ def box(low, high):
 
 
 def layers(study):
-    """Figure 2: the layers, with what holds on their faces."""
+    """Figure 2: the layers, with the conditions on their faces."""
     results = study.typical.results
     rows = [(layer["name"], layer["role"], layer["material"], si(layer["thickness"])) for layer in results.case.get("skin", {}).get("layers", [])]
     if not rows:

@@ -33,7 +33,7 @@ def contact_spans(results):
 
 
 def windows(results):
-    """Begin and end [s], instant and name of what is enlarged: where the first contact begins and where it ends."""
+    """Begin and end [s], instant and name of each enlarged event: where the first contact begins and where it ends."""
     spans = contact_spans(results)
     if not spans:
         return []

@@ -34,7 +34,7 @@ def trend(study, values, label="", colour=BLUE, look="", errors=None):
 
 
 def metric(study, name, label="", colour=BLUE, look=""):
-    """The same of a metric, with its stated errors."""
+    """A curve of a metric over the members, with its stated errors."""
     values = numpy.array(study.metric(name), float)
     return trend(study, values, label, colour, look, numpy.nan_to_num(numpy.array(study.errors(name)) * numpy.abs(values)))
 
@@ -158,16 +158,17 @@ def stick_slip(study):
 
 
 def friction_window(study):
-    """Figure 23: lead time and what the currents show before full slip, against the swept key."""
+    """Figure 23: lead time and change of the currents before full slip, against the swept key."""
     if study.single:
         return "a single run has no window: sweep contact.friction"
     leads = numpy.array(study.metric("slip_lead_time"), float)
     if not numpy.isfinite(leads).any():
         return NO_ONSET
-    told = {current: [slip.told(member.results, current) for member in study.members] for current in slip.CURRENTS}
-    spans = window_spans(study, told)
-    cells = [lead_cell(study, leads, told), departure_cell(study, told)]
-    return Chart([[cell._replace(spans=spans) for cell in cells]], (1.0, 1.0), note=f"{window_words(study, told).capitalize()}.")
+    precursors = {current: [slip.precursor(member.results, current) for member in study.members] for current in slip.CURRENTS}
+    spans = window_spans(study, precursors)
+    cells = [lead_cell(study, leads, precursors), departure_cell(study, precursors)]
+    return Chart([[cell._replace(spans=spans) for cell in cells]], (1.0, 1.0),
+                 note=f"{window_words(study, precursors).capitalize()}.")
 
 
 def floored(values, errors):
@@ -175,56 +176,57 @@ def floored(values, errors):
     return numpy.minimum(errors, 0.8 * numpy.abs(values))
 
 
-def lead_cell(study, leads, told):
+def lead_cell(study, leads, precursors):
     """Times from the first micro-slip, and from where each current is seen, to full slip."""
     errors = numpy.array([slip.error(member.results, "slip_lead_time") for member in study.members])
     curves = [trend(study, leads, "from micro-slip", BLUE, "", floored(leads, errors))]
     for current, colour in (("difference", GREEN), ("common", PURPLE)):
-        own = numpy.array([each.lead for each in told[current]])
+        own = numpy.array([each.lead for each in precursors[current]])
         if numpy.isfinite(own).any():
             curves.append(trend(study, own, f"from the {current} current", colour, "dashed"))
-    interval = told["difference"][0].interval
+    interval = precursors["difference"][0].interval
     marks = (Mark(float(interval), "dotted", "y", "readout interval"),) if numpy.isfinite(interval) else ()
     return Cell("Lead before full slip", along(study), Axis("lead", "s", log=True), tuple(curves), marks=marks, height=1.3)
 
 
-def departure_cell(study, told):
+def departure_cell(study, precursors):
     """The departure of each current with its stated error, and the noise floor."""
     curves = []
     for current, colour in (("difference", GREEN), ("common", PURPLE)):
-        own = numpy.array([each.departure for each in told[current]])
-        errors = numpy.nan_to_num(numpy.array([each.error for each in told[current]]))
+        own = numpy.array([each.departure for each in precursors[current]])
+        errors = numpy.nan_to_num(numpy.array([each.error for each in precursors[current]]))
         own = numpy.where(own > 0, own, numpy.nan)
         if numpy.isfinite(own).any():
             curves.append(trend(study, own, current, colour, "", floored(numpy.nan_to_num(own), errors)))
     if not curves:
         return Cell("Departure of a reading", along(study), Axis("departure", "A", 0.0, 1.0), height=1.3,
                     notes=(quiet_note("no reading falls before full slip"),))
-    floor = slip.SEEN * numpy.array([each.noise for each in told["difference"]])
+    floor = slip.SEEN * numpy.array([each.noise for each in precursors["difference"]])
     if numpy.isfinite(floor).any() and numpy.nanmax(floor) > 0:
         curves.append(trend(study, floor, f"{slip.SEEN} × noise floor", INK, "dotted"))
     return Cell("Departure of a reading", along(study), Axis("departure", "A", log=True), tuple(curves), height=1.3)
 
 
-def inside(told):
+def inside(precursors):
     """For each member, True where any current shows the onset beforehand."""
-    return [any(each.told for each in pair) for pair in zip(*told.values())]
+    return [any(each.certain for each in pair) for pair in zip(*precursors.values())]
 
 
-def window_spans(study, told):
+def window_spans(study, precursors):
     """Bands over the values whose slip is recognised, half way to their neighbours."""
     if study.scattered:
         return ()
     values = numpy.array([member.value for member in study.members], float)
     edges = numpy.concatenate([values[:1], (values[1:] + values[:-1]) / 2, values[-1:]])
-    return tuple(Span(float(low), float(high), BAND_STRONG) for low, high, tells in zip(edges, edges[1:], inside(told)) if tells)
+    return tuple(Span(float(low), float(high), BAND_STRONG)
+                 for low, high, certain in zip(edges, edges[1:], inside(precursors)) if certain)
 
 
-def window_words(study, told):
+def window_words(study, precursors):
     """The shaded values in words: "recognised at 0.1–0.3, 0.5"."""
     runs = []
-    for before, member, tells in zip([False, *inside(told)], study.members, inside(told)):
-        if tells:
+    for before, member, certain in zip([False, *inside(precursors)], study.members, inside(precursors)):
+        if certain:
             value = quantity(member.value, study.unit, 3)
             runs = [*runs[:-1], (runs[-1][0], value)] if before else [*runs, (value, value)]
     texts = [first if first == last else f"{first}–{last}" for first, last in runs]

@@ -145,7 +145,7 @@ def normalised(results):
 
 @needs()
 def charge(results):
-    """Figure 20: charge that each phase moves, and what the shear predicts of it."""
+    """Figure 20: charge that each phase moves, and the charge that the shear predicts."""
     signals, spans = results.signals, results.phases()
     factor = derived.charge_per_shear(results)
     fixed = results.case.get("coupling", {}).get("law", "fixed-charge") == "fixed-charge"

@@ -17,7 +17,7 @@ START, STOP = 60, 30  # seconds to wait
 
 
 def detached(folder, name, *arguments):
-    """Starts a module of this package that outlives this process; what it says goes into a log in the folder."""
+    """Starts a module of this package that outlives this process; its output goes into a log in the folder."""
     command = [sys.executable, "-I", "-B", isolated.__file__, *arguments]
     with open(folder / f"{name}.log", "wb") as log:
         return subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=log, stderr=log, start_new_session=True)
@@ -47,7 +47,7 @@ def answering(path):
 
 
 def wait_for_scheduler(folder, process):
-    """Waits until the scheduler has written its file. Raises CaseError with what it said when it ends."""
+    """Waits until the scheduler has written its file. Raises CaseError with its last words when it ends."""
     deadline = time.monotonic() + START
     while not (folder / SCHEDULER).exists():
         if process.poll() is not None or time.monotonic() > deadline:
@@ -110,7 +110,7 @@ def stop(arguments):
 
 
 def main():
-    """Command line."""
+    """Runs the command line of `ionskin cluster`."""
     parser = argparse.ArgumentParser(prog="ionskin.cluster", description=__doc__)
     parser.add_argument("action", choices=("start", "worker", "stop"))
     parser.add_argument("folder", type=pathlib.Path)

@@ -40,7 +40,7 @@ class Job(NamedTuple):
 
 @contextlib.contextmanager
 def patience(what, most):
-    """Says what is waited for, where it is not there at once.
+    """Prints the name of a thing that is waited for, where it is not there at once.
 
     most  seconds
     """

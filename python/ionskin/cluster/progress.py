@@ -15,12 +15,12 @@ class BatchProgress:
         self.start, self.shown, self.ends_open = time.monotonic(), None, False
 
     def time_left(self):
-        """Seconds, from the shares of the estimated work; None before anything is done."""
+        """Time that is left [s], by the shares of the estimated work; None before anything is done."""
         share = sum(self.seconds[batch] for batch in self.done) / sum(self.seconds.values())
         return (time.monotonic() - self.start) * (1 - share) / share if share else None
 
     def show(self, running, workers):
-        """Tells what has changed."""
+        """Prints the progress, where it has changed."""
         state = (len(self.done), running, len(self.failed), workers)
         if self.mode == "none" or state == self.shown:
             return

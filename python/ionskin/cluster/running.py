@@ -16,7 +16,7 @@ UNFINISHED, LOST, INTERRUPTED = 4, 5, 130  # exit codes
 
 
 class ClusterError(RuntimeError):
-    """A cluster did not finish a sweep; what was finished is kept, and resume=True goes on."""
+    """A cluster did not finish a sweep; what was finished is kept, and resume=True continues."""
 
 
 def program():
@@ -50,7 +50,7 @@ def sweep_on_cluster(case, axes, folder, on, settings, progress):
         path.write_text(solver.load().case_text(case), encoding="utf-8")
         code, said = _run([program(), "sweep", str(path), *arguments], progress)
     if code == INTERRUPTED:
-        raise KeyboardInterrupt("what was finished is kept; the same call with resume=True goes on")
+        raise KeyboardInterrupt("what was finished is kept; the same call with resume=True continues")
     if code == 3:
         raise SolverError(f"every point of the sweep failed\n{said}")
     if code in (UNFINISHED, LOST):
@@ -60,7 +60,7 @@ def sweep_on_cluster(case, axes, folder, on, settings, progress):
 
 
 def _run(command, progress):
-    """Runs the program, reports its progress, and returns its exit code and what else it said on standard error."""
+    """Runs the program, reports its progress, and returns its exit code and the other lines of its standard error."""
     said = []
     with subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, errors="replace") as process:
         try:

@@ -17,7 +17,7 @@ WORKER_PATIENCE = "60s"  # until a silent worker counts as lost
 
 
 async def serve(folder, address, security):
-    """Runs until it is told to stop."""
+    """Runs until a client or a signal stops it."""
     path = folder / SCHEDULER
     # What /info and /metrics tell needs no login: this machine only.
     scheduler = Scheduler(host=address, port=0, protocol="tls" if security else "tcp", security=security,
@@ -31,7 +31,7 @@ async def serve(folder, address, security):
 
 
 def main():
-    """Command line."""
+    """Runs the scheduler of a cluster, by its command line: folder, address, "tls" or "plain"."""
     folder = pathlib.Path(sys.argv[1])
     security = tls(folder) if sys.argv[3] == "tls" else None
     dask.config.set({"distributed.comm.require-encryption": security is not None})

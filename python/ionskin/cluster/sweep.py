@@ -37,13 +37,13 @@ class Driver:
         self.token = f".ionskin-cluster-{uuid.uuid4().hex}"
 
     def job(self, batch):
-        """The key is the batch's own: a client that comes back finds what is under way."""
+        """The job of a batch, whose key is its own: a client that comes back finds its task."""
         call = do_batch, batch["number"], str(self.folder), self.token, self.plan, batch["threads"]
         return Job(f"batch {batch['number']}", f"ionskin-{self.digest}-{batch['number']}", call, batch["threads"],
                    batch["memory_bytes"])
 
     def take(self, job, result, problem):
-        """One batch that ended."""
+        """Takes the result of a batch that ended, or the problem."""
         batch = job.call[1]
         if not problem:
             if result["archive"] is not None:
@@ -80,7 +80,7 @@ def drive(folder, scheduler, chosen, mode):
 
 
 def main():
-    """Command line."""
+    """Runs batches of a planned sweep on a cluster, by its command line."""
     parser = argparse.ArgumentParser(prog="ionskin.cluster.sweep", description=__doc__)
     parser.add_argument("folder", type=pathlib.Path)
     parser.add_argument("--on", required=True)

@@ -41,7 +41,7 @@ class ClusterEngine:
         read_scheduler(on)
         self.on, self.workers = on, 0
 
-    def evaluate(self, case, trials, folder, told) -> None:
+    def evaluate(self, case, trials, folder, on_result) -> None:
         """Evaluates the trials as LocalEngine.evaluate does. Raises SchedulerLost too."""
         del case  # every trial holds its own
         if not trials:
@@ -59,7 +59,7 @@ class ClusterEngine:
                 raise CaseError(result["mistake"])
             else:
                 Outcome.keep(result["outcome"], path)
-            told(trial, Outcome.read_back(path))
+            on_result(trial, Outcome.read_back(path))
 
         def show(running, workers):
             del running

@@ -18,7 +18,7 @@ def default_threads():
 
 
 def default_memory():
-    """Bytes that a job of Slurm was given on this node, or else a share of what is free."""
+    """Bytes that a job of Slurm was given on this node, or else a share of the free memory."""
     if os.environ.get("SLURM_MEM_PER_NODE"):
         return float(os.environ["SLURM_MEM_PER_NODE"]) * 2**20
     with open("/proc/meminfo", encoding="ascii") as file:

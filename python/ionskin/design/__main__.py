@@ -26,7 +26,7 @@ def free_range(text: str) -> tuple[str, tuple[str, str]]:
 
 
 def evaluations(study: Design) -> str:
-    """A row an evaluation."""
+    """Table with one row for each evaluation, as CSV text."""
     units = next((outcome.units for outcome in study.outcomes.values() if not outcome.reason), {})
     names = list(dict.fromkeys([study.objective, *(one.metric for one in study.constraints)]))
     text = io.StringIO()
@@ -41,7 +41,7 @@ def evaluations(study: Design) -> str:
 
 
 def main() -> int:
-    """The exit code."""
+    """Runs the command line of `ionskin design` and returns the exit code."""
     arguments = given_options()
     case = base_case(arguments)
     study = Design(case, dict(free_range(text) for text in arguments.free), arguments.maximise or arguments.minimise,
@@ -56,17 +56,17 @@ def main() -> int:
     kept.write("case.toml", case.text)
     finished, progress = kept.finished(), Progress(arguments.budget, arguments.quiet, runner)
 
-    def told(trial, outcome):
+    def on_result(trial, outcome):
         study.tell(trial, outcome)
         progress(outcome)
 
     while asked := study.ask():
         for trial in asked:
             if trial.number in finished:
-                told(trial, finished[trial.number])
+                on_result(trial, finished[trial.number])
         missing = [trial for trial in asked if trial.number not in finished]
         if missing:
-            runner.evaluate(case, missing, kept.points, told)
+            runner.evaluate(case, missing, kept.points, on_result)
     kept.write("evaluations.csv", evaluations(study))
     found, converged = study.best(), len(study.trials) < arguments.budget
     if found is None:
@@ -86,7 +86,7 @@ def main() -> int:
         for name in named:
             print(f"{name}: {metrics[name]:.6g} {units.get(name, '1')}")
         if not converged:
-            print("warning: the budget ended before the search did\n  = --resume with a larger --budget goes on")
+            print("warning: the budget ended before the search did\n  = continue with --resume and a larger --budget")
         print(f"{len(study.trials)} evaluations; best case: {arguments.output}/best.toml")
     return 0
 

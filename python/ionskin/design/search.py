@@ -22,7 +22,7 @@ TOLERANCE = 1e-4  # of a constraint's bound
 
 
 class Constraint(NamedTuple):
-    """metric sign bound, in the SI unit of the metric; unit is "" where none was written."""
+    """A constraint `metric sign bound` in the SI unit of the metric; unit is "" where none was written."""
 
     metric: str
     sign: str
@@ -130,9 +130,9 @@ class Design:
         scale = numpy.std([self.outcomes[number].metrics[self.objective] for number in rows]) or 1.0
         return min(rows, key=lambda number: self._merit(number, scale))
 
-    def tell(self, trial: Trial, told: Any) -> None:
+    def tell(self, trial: Trial, result: Any) -> None:
         """Takes the Results of a run, numbers by name of a metric, or the exception that a run ended with."""
-        outcome = Outcome.of(told)
+        outcome = Outcome.of(result)
         outcome.require([self.objective, *(one.metric for one in self.constraints)])
         for one in self.constraints if outcome.units else ():
             own = outcome.units[one.metric]

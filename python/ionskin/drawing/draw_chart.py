@@ -147,7 +147,7 @@ def draw_curve(panel, curve, along, divisor):
 
 
 def set_axes(panel, cell, along, divisor):
-    """Limits and ticks."""
+    """Sets the limits and the ticks of both axes of a panel."""
     if cell.x.low is not None:
         panel.set_xlim(along(cell.x.low), along(cell.x.high))
     if cell.y.signed:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Draws what `ionskin fit` has written: /usr/bin/python3 -m ionskin.drawing.fit_figure FOLDER"""
+"""Draws the figure of a fit from the folder of `ionskin fit`: /usr/bin/python3 -m ionskin.drawing.fit_figure FOLDER"""
 
 import sys
 

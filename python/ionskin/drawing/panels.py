@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Signed logarithmic axes."""
+"""Axes of matplotlib that are logarithmic on both sides of 0."""
 
 import numpy
 from matplotlib.ticker import EngFormatter, FixedLocator, NullLocator

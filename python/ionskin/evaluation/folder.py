@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The folder of a study: what it was asked, and the outcomes that are finished."""
+"""The folder of a study: its question, and the outcomes that are finished."""
 
 import fcntl
 import json
@@ -43,7 +43,7 @@ class StudyFolder:
         if overwrite:
             self._remove()
         elif former and not resume:
-            raise CaseError(f"{folder} holds a study\n  = --resume goes on with it, --overwrite begins anew")
+            raise CaseError(f"{folder} holds a study\n  = --resume continues it, --overwrite begins anew")
         elif resume and not former:
             raise CaseError(f"{folder} holds no study to go on with\n  = leave --resume out")
         elif former:
@@ -132,7 +132,7 @@ def _require_ordinary(path) -> None:
 
 
 def _require_same(former: dict, question: dict, free, folder) -> None:
-    """One line for what differs between two questions."""
+    """One line on the differences between two questions."""
     question = json.loads(json.dumps(question))
     for name in dict.fromkeys([*former, *question]):
         if name not in free and former.get(name) != question.get(name):

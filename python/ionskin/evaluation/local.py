@@ -29,11 +29,11 @@ class LocalEngine:
     def __init__(self, workers: int = 0) -> None:
         self.workers = workers or len(os.sched_getaffinity(0))
 
-    def evaluate(self, case, trials, folder, told) -> None:
+    def evaluate(self, case, trials, folder, on_result) -> None:
         """Runs every trial and writes FOLDER/NUMBER.npz of each; a solver that gives up is an outcome too.
 
-        case    the base case of the trials
-        told    called in this thread with (trial, Outcome) as each ends; what it raises stops the others
+        case       the base case of the trials
+        on_result  called in this thread with (trial, Outcome) as each ends; what it raises stops the others
         """
         del case  # every trial holds its own
         free: queue.SimpleQueue = queue.SimpleQueue()
@@ -53,7 +53,7 @@ class LocalEngine:
         try:
             tasks = {pool.submit(work, trial): trial for trial in trials}
             for done in concurrent.futures.as_completed(tasks):
-                told(tasks[done], done.result())
+                on_result(tasks[done], done.result())
         finally:
             stopped.set()
             for worker in workers:

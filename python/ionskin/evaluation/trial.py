@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""One evaluation of a case, and what came of it."""
+"""One evaluation of a case, and its outcome."""
 
 import contextlib
 import difflib
@@ -57,24 +57,24 @@ class Outcome:
         self.metrics, self.units, self.columns, self.reason = metrics, units, columns or {}, reason
 
     @classmethod
-    def of(cls, told: Any) -> "Outcome":
+    def of(cls, result: Any) -> "Outcome":
         """Outcome made of the Results of a run, of numbers by name of a metric, or of the exception that a run ended
         with."""
-        if isinstance(told, Outcome):
-            return told
-        if isinstance(told, Exception):
-            return cls({}, {}, reason=" ".join(str(told).split()) or type(told).__name__)
-        if isinstance(told, Results):
-            known = {name: one for name, one in told.metrics.items() if one.value is not None}
-            tables = [table for table in TABLES if getattr(told, table) is not None]
+        if isinstance(result, Outcome):
+            return result
+        if isinstance(result, Exception):
+            return cls({}, {}, reason=" ".join(str(result).split()) or type(result).__name__)
+        if isinstance(result, Results):
+            known = {name: one for name, one in result.metrics.items() if one.value is not None}
+            tables = [table for table in TABLES if getattr(result, table) is not None]
             columns = {f"{table}/{name}": values for table in tables
-                       for name, values in getattr(told, table).columns.items() if values.dtype.kind == "f"}
+                       for name, values in getattr(result, table).columns.items() if values.dtype.kind == "f"}
             units = {name: one.unit for name, one in known.items()}
-            units |= {f"{table}/{name}": unit for table in tables for name, unit in getattr(told, table).units.items()}
+            units |= {f"{table}/{name}": unit for table in tables for name, unit in getattr(result, table).units.items()}
             return cls({name: one.value for name, one in known.items()}, units, columns)
-        if isinstance(told, dict):
-            return cls({name: float(value) for name, value in told.items()}, {})
-        raise CaseError(f"a result is the Results of a run, numbers by name, or an exception; not {type(told).__name__}")
+        if isinstance(result, dict):
+            return cls({name: float(value) for name, value in result.items()}, {})
+        raise CaseError(f"a result is the Results of a run, numbers by name, or an exception; not {type(result).__name__}")
 
     def require(self, names) -> None:
         """Raises CaseError for a name that is not a metric of a finished run."""
@@ -118,7 +118,7 @@ class Outcome:
         return cls.read(path) or cls({}, {}, reason="what it wrote cannot be read back: is the disk full?")
 
     def _is_sound(self) -> bool:
-        """True where the outcome has the shape of what `of` makes of a run, and finite numbers."""
+        """True where the outcome has the shape that `of` gives it, and finite numbers."""
         metrics, units, columns = self.metrics, self.units, self.columns
         if not (isinstance(metrics, dict) and isinstance(units, dict) and isinstance(self.reason, str)):
             return False

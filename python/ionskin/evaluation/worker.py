@@ -27,12 +27,12 @@ def run(task: dict) -> str:
     case = ionskin.Case(task["text"], task["path"])
     case._edits = task["edits"]
     try:
-        told = ionskin.run(case, pathlib.Path(task["scratch"]) / "run", threads=1)
+        result = ionskin.run(case, pathlib.Path(task["scratch"]) / "run", threads=1)
     except ionskin.SolverError as error:
-        told = error
+        result = error
     except ionskin.CaseError as error:
         return str(error)
-    Outcome.of(told).write(pathlib.Path(task["file"]))
+    Outcome.of(result).write(pathlib.Path(task["file"]))
     return "done"
 
 

@@ -11,7 +11,7 @@ from .touches import Touches
 
 
 def main() -> int:
-    """The exit code."""
+    """Runs the command line of `ionskin generate` and returns the exit code."""
     arguments = given_options()
     case = base_case(arguments)
     touches = Touches(case, arguments.touches, seed=arguments.seed, vary=arguments.vary)
@@ -31,13 +31,13 @@ def main() -> int:
     asked = [trial for trial in touches.trials if trial.number not in finished]
     progress, failed = Progress(len(asked), arguments.quiet, runner), []
 
-    def told(trial, outcome):
+    def on_result(trial, outcome):
         progress(outcome)
         if outcome.reason:
             failed.append(outcome.reason)
 
     begin = time.monotonic()
-    runner.evaluate(case, asked, kept.points, told)
+    runner.evaluate(case, asked, kept.points, on_result)
     seconds = time.monotonic() - begin
     size = store.write(kept.folder / "touches.h5", touches, kept.points,
                        {"case": touches.case.text, "seed": arguments.seed, "made_by": "ionskin generate"})

@@ -21,7 +21,7 @@ TOUCHING = 1e-9  # of the largest normal force
 
 
 def taxel_signals(outcome: Outcome):
-    """Names of what taxels read, one kind after the other."""
+    """Names of the readings of taxels, one kind after the other."""
     names = [name.removeprefix("sampled_taxels/") for name in outcome.columns if name.startswith("sampled_taxels/")]
     return tuple(name for kind in OF_TAXELS for name in names if name.startswith(kind))
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Random touches: what varies, and the values of each."""
+"""Random touches: the keys that vary, and the values of each touch."""
 
 import numpy
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The reduced skin, stepped in a loop: what `ionskin live CASE.toml -o skin.live` trained.
+"""The reduced skin, stepped in a loop; `ionskin live CASE.toml -o skin.live` trains one.
 
     import ionskin.live
     skin = ionskin.live.Skin("skin.live")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Arguments of steps."""
+"""Checks of the arguments of `Skin.step` and `Skins.step`."""
 
 import numpy
 

@@ -12,7 +12,7 @@ NUMBERS = ctypes.POINTER(ctypes.c_double)
 
 
 class Batch(ctypes.Structure):
-    """ionskin_live_batch: what a step of many skins takes and gives."""
+    """The struct ionskin_live_batch of the C interface: inputs and outputs of a step of many skins."""
 
     _fields_ = [("times", ctypes.c_void_p), ("positions", ctypes.c_void_p), ("values", ctypes.c_void_p),
                 ("signals", ctypes.c_void_p), ("flags", ctypes.c_void_p), ("columns", ctypes.c_void_p),

@@ -150,7 +150,7 @@ class Skin:
         undeformed top face [m], negative when it indents, or pressed by a force [N]. Currents are means since the
         step before. `angles` are roll, pitch and yaw [rad], and the height that of the lowest point as it stands. A pose
         (x, y, z, roll, pitch, yaw) takes the place of position, height and angles; with a force its z is not used and
-        may be None. ValueError: a value that is no number, or a time before the last."""
+        may be None. ValueError: a value that is not a number, or a time before the last."""
         if pose is not None:
             position, height, angles = _parted(pose, position, height, force)
         kind, value = one_load(height, force, "")

@@ -22,7 +22,7 @@ class Skins:
     neither on the others nor on the number of threads.
 
     skin     a Skin, whose state and friction all take, or the path of a file
-    signals  names of those that are told, all without it
+    signals  names of those that are returned; all without it
     dtype    of positions, loads and signals: float32 or float64; times are float64
     threads  that step, one for each processor without it
     friction, noise, seed  as `set_friction` and `set_noise` take them
@@ -84,7 +84,7 @@ class Skins:
         out        takes the signals instead of a new array: [environment, signal] of the dtype, contiguous
 
         Arrays of numpy, torch or jax in the memory of the processor are read in place where they are contiguous and of the
-        dtype. ValueError: another shape, or what is no array of numbers."""
+        dtype. ValueError: another shape, or anything but an array of numbers."""
         kind, loads = one_load(heights, forces, "s")
         times = self._array("times", times, (self._count,), numpy.dtype(numpy.float64))
         positions = self._array("positions", positions, (self._count, 2), self._dtype)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The sentences that a page opens with: what an instrument between the electrodes reads, with its error."""
+"""The sentences that a page opens with: the reading of an instrument between the electrodes, with its error."""
 
 import math
 
@@ -20,7 +20,7 @@ def largest(table, name):
     return float(table["time"][row]), float(values[row])
 
 
-def told(results, metric, fallback, unit):
+def with_error(results, metric, fallback, unit):
     """A metric with its stated error, "478 µA (± 0.9 %)"; a number without error where the run has no such metric."""
     found = results.metrics.get(metric)
     if found is None or found.value is None:
@@ -30,7 +30,7 @@ def told(results, metric, fallback, unit):
 
 
 def event(results, instant):
-    """Words for what happens about an instant, " at 0.5 s, as contact begins"."""
+    """Words for the event about an instant, " at 0.5 s, as contact begins"."""
     words = f" at {instant:.4g} s"
     spans = contact_spans(results)
     if not spans:
@@ -51,13 +51,13 @@ def of_circuit(results):
         return None
     if table.has("voltage"):
         instant, peak = largest(table, "voltage")
-        text = f"Between the electrodes a voltmeter reads up to {told(results, 'peak_voltage', peak, 'V')}{event(results, instant)}"
+        text = f"Between the electrodes a voltmeter reads up to {with_error(results, 'peak_voltage', peak, 'V')}{event(results, instant)}"
         if table.has("current") and not is_open(results):
             text += f", with up to {quantity(largest(table, 'current')[1], 'A', 3)} through what joins them"
         return f"{text}."
     if table.has("current"):
         instant, peak = largest(table, "current")
-        return f"The amplifier between the electrodes reads up to {told(results, 'peak_amplifier_current', peak, 'A')}{event(results, instant)}."
+        return f"The amplifier between the electrodes reads up to {with_error(results, 'peak_amplifier_current', peak, 'A')}{event(results, instant)}."
     return None
 
 
@@ -72,7 +72,7 @@ def of_own_taxel(results):
         return None
     name = max(names, key=lambda one: largest(results.sampled_taxels, one)[1])
     instant, peak = largest(results.sampled_taxels, name)
-    read = told(results, "peak_taxel_voltage", peak, unit) if unit == "V" else taxel_current(results, peak)
+    read = with_error(results, "peak_taxel_voltage", peak, unit) if unit == "V" else taxel_current(results, peak)
     return f"{words} {where(results, name.removeprefix(prefix)[:20])} reads up to {read}{event(results, instant)}."
 
 
@@ -80,7 +80,7 @@ def taxel_current(results, peak):
     """The peak current of an instrument, with the stated error of the largest current of a taxel where it is the same."""
     known = results.metrics.get("peak_sampled_taxel_current")
     same = known is not None and known.value is not None and math.isclose(known.value, peak, rel_tol=1e-3)
-    return told(results, "peak_sampled_taxel_current", peak, "A") if same else quantity(peak, "A", 3)
+    return with_error(results, "peak_sampled_taxel_current", peak, "A") if same else quantity(peak, "A", 3)
 
 
 def where(results, name):
@@ -103,20 +103,20 @@ def of_current(results):
         return "An ammeter between the electrodes reads nothing: no current flows from one to the other."
     over = sampling_interval(results)
     mean = f", the mean over {quantity(round(over, 9), 's')}" if over else ""
-    return (f"An ammeter between the electrodes reads up to {told(results, 'peak_sampled_current_difference', peak, 'A')}"
+    return (f"An ammeter between the electrodes reads up to {with_error(results, 'peak_sampled_current_difference', peak, 'A')}"
             f"{event(results, instant)}{mean}.")
 
 
 def of_mechanics(results):
     """Answer of a run without ions: force and shear."""
-    parts = [f"{words} {told(results, name, 0.0, '1')}" for name, words in (
+    parts = [f"{words} {with_error(results, name, 0.0, '1')}" for name, words in (
         ("normal_force_slide", "the slider presses with"), ("mean_shear_slide", "the core's mean shear is")) if name in results.metrics]
     text = " and ".join(parts)
     return f"In mid-slide {text}; the ions were not asked for." if text else None
 
 
 def of_noise(results):
-    """Noise in one sample, what makes it, and how far the peak stands above it; nothing for a run of an older version."""
+    """Sentences on the noise of one reading, its parts, and how far the peak stands above it; none for a run of an older version."""
     def metric(name):
         found = results.metrics.get(name)
         return None if found is None else found.value
@@ -125,12 +125,12 @@ def of_noise(results):
     if not ratio:
         return []
     unit = results.metrics["sample_noise"].unit
-    told_parts = ", ".join(f"{quantity(value, unit, 2)} by {words}" for words, value in (
+    parts = ", ".join(f"{quantity(value, unit, 2)} by {words}" for words, value in (
         ("the skin's thermal noise", metric("sample_noise_thermal")), ("the amplifier", metric("sample_noise_amplifier")),
         ("the converter's steps", metric("sample_noise_quantisation"))) if value)
     verdict = (f"{float(f'{ratio:.2g}'):,g} times smaller than that peak" if ratio >= 3 else
                "no smaller than a third of that peak: one reading does not show it" if ratio >= 1 else "larger than that peak: it cannot be read")
-    return [f"The noise of one reading is {quantity(metric('sample_noise'), unit, 2)} rms ({told_parts}), {verdict}."]
+    return [f"The noise of one reading is {quantity(metric('sample_noise'), unit, 2)} rms ({parts}), {verdict}."]
 
 
 def sentences(results):
@@ -140,7 +140,7 @@ def sentences(results):
         return ["This run has no currents to read."]
     found = [first, *of_noise(results)]
     if "peak_open_circuit_voltage" in results.metrics and "V" not in first:
-        found.append(f"Left open, the cell would give up to {told(results, 'peak_open_circuit_voltage', 0.0, 'V')} at once.")
+        found.append(f"Left open, the cell would give up to {with_error(results, 'peak_open_circuit_voltage', 0.0, 'V')} at once.")
     coefficient = results.case.get("coupling", {}).get("coefficient")
     if coefficient and results.signals.has("current_difference") and report_text.law(results) != "poroelastic":
         found.append(f"The reading is in proportion to the coupling coefficient k = {coefficient:g}, an assumption that no measurement supports yet.")
@@ -153,7 +153,7 @@ def taxels(results):
         return []
     crosstalk = results.metrics.get("taxel_crosstalk")
     told_crosstalk = [] if crosstalk is None or crosstalk.value is None else [
-        f"Of what one taxel reads another one shows up to {told(results, 'taxel_crosstalk', 0.0, '1')} through the core (crosstalk)."]
+        f"Of what one taxel reads another one shows up to {with_error(results, 'taxel_crosstalk', 0.0, '1')} through the core (crosstalk)."]
     return most_charge(results) + told_crosstalk
 
 

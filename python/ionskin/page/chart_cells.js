@@ -294,7 +294,7 @@
     if (!cell.curves.length) { svg.style.cursor = "default"; return; }
     const place = (pixel) => x[0] + (pixel - left) / (right - left) * (x[1] - x[0]);
     interact(svg, { width: wide, left, right, top, bottom }, {
-      tell: (pixel) => { readout.textContent = told(cell, place(pixel), named); },
+      tell: (pixel) => { readout.textContent = reading_at(cell, place(pixel), named); },
       zoom: (low, high) => redraw(place(low), place(high)),
       whole: () => redraw(),
     });
@@ -306,7 +306,7 @@
     svg.setAttribute("viewBox", `${box.x - 2} ${box.y - 2} ${box.width + 4} ${box.height + 4}`);
   }
 
-  function told(cell, at, named) {
+  function reading_at(cell, at, named) {
     const values = cell.curves.map((curve) => {
       const x = FIGURES.arrays[curve.x];
       const row = Math.max(0, curve.step === "held" ? x.findLastIndex((value) => value <= at) : x.findIndex((value) => value >= at));

@@ -20,6 +20,6 @@ def inline_svg(svg, name):
 
 
 def white_background(svg):
-    """The same SVG on white."""
+    """An SVG with a white rectangle behind it."""
     start = svg.index(">", svg.index("<svg")) + 1
     return f'{svg[:start]}\n <rect width="100%" height="100%" fill="white"/>{svg[start:]}'

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Names of metrics as a reader sees them, and what the words in them mean."""
+"""Names of metrics as a reader sees them, and the meaning of their words."""
 
 import re
 
@@ -44,7 +44,7 @@ COLUMNS = {
 }
 INSTANTS = {"touchdown": "end of touchdown", "slide": "mid-slide"}
 SIDES = {"top": "current, top", "bottom": "current, bottom", "difference": "difference current", "common": "common current"}
-KINDS = {"peak": "Peak resolved", "rms": "Rms of the", "peak_sampled": "Peak sampled"}
+KINDS = {"peak": "Peak resolved", "rms": "Rms of the resolved", "peak_sampled": "Peak sampled"}
 CURRENT = re.compile(r"(peak|rms|peak_sampled)_current_(top|bottom|difference|common)")
 OF_SLIDER = re.compile(r"(.*[a-z])_([2-9])")  # of several, but for the first
 SHARES = ("stick_fraction", "micro_slip_force_ratio", "min_concentration_ratio", "streaming_share", "taxel_crosstalk")
@@ -63,7 +63,8 @@ GLOSSARY = [
     ("electrode", "current_top|current_bottom|charge_top|charge_bottom", "Top and bottom current", "The current into each electrode, which is the "
      "rate of its charge. A positive one carries positive charge into it."),
     ("resolved", "peak_current", "Resolved current", "That of the solver's own time steps, with spikes as short as the events that make them."),
-    ("rms", "^rms", "Rms", "Root mean square over the whole run, weighted by time."),
+    ("rms", "^rms", "Rms", "Root mean square over the whole run, weighted by time. That of a resolved current counts its spikes of microseconds, "
+     "and so may be larger than the peak of the sampled one."),
     ("moment", "first_moment", "First moment", "Mean of the shear times its place across the core, from −½ at the bottom to ½ at the top. It "
      "predicts the difference charge."),
     ("shear", "shear|nonlinearity", "Shear γ", "How much the core is sheared at a point, a pure number: 0.01 means that two horizontal planes 100 µm "
@@ -83,7 +84,7 @@ def words(name):
 
 
 def known_words(name):
-    """The same, "" for one that is not known here."""
+    """The name of a metric in words, or "" for a metric that is not known here."""
     if (found := OF_SLIDER.fullmatch(name)) is not None and (own := known_words(found[1])):
         return f"{own}, slider {found[2]}"
     if (found := CURRENT.fullmatch(name)) is not None:

@@ -56,7 +56,7 @@ LAW_LIMITS = {
 
 
 def headline(results):
-    """Label, value and error of what stands at the top of the page and on the terminal, by name."""
+    """Label, value and error of the numbers at the top of the page and on the terminal, by name."""
     noise = {"rms_current_common"} if "current_common" in results.sampled and common_is_noise(results) else set()
     names = HEADLINE_OPEN if is_open(results) else HEADLINE
     return {name: (quantities.words(name), value(results, name), error(results, name)) for name in names
@@ -80,7 +80,7 @@ def error(results, name):
 
 
 def subtitle(results):
-    """One line below the title: how long, how fast, by what."""
+    """One line below the title: simulated time, time of solving, version and date."""
     program = results.manifest.get("program", {})
     time = results.signals["time"]
     parts = [f"{time[-1] - time[0]:.6g} s simulated"]
@@ -213,7 +213,7 @@ def has_sharp_edges(slider):
 
 
 def limits(results):
-    """Statements on what the model leaves out, as far as it concerns this case."""
+    """Statements on the limits of the model, as far as they concern this case."""
     texts = list(LIMITS)
     slider = results.case.get("slider")
     if slider:
@@ -231,7 +231,7 @@ def law(results):
 
 
 def contact_caption(results):
-    """Caption of the contact maps; what it says of their colours follows the slider."""
+    """Caption of the contact maps; its words on the colours follow the slider."""
     where = "Under the slider and in its frame, seen from above; last row: section through the core at mid-width."
     if len(results.sliders) > 1:
         where = where.replace("the slider", "the first slider")

@@ -123,12 +123,12 @@ def script(study):
 
 
 def readable(study):
-    """The metric of what can be read between the electrodes; None where the runs have none."""
+    """The metric of the reading between the electrodes; None where the runs have none."""
     return next((name for name in READABLE if numpy.isfinite(study.metric(name)).any() and name in study.typical.results.metrics), None)
 
 
 def answer(study):
-    """The sentences that the page opens with: how what can be read follows the key, and at which value it is largest."""
+    """The sentences that the page opens with: how the reading between the electrodes follows the key, and where it is largest."""
     name = readable(study)
     if name is None:
         return [study.note] if study.note else []
@@ -136,7 +136,7 @@ def answer(study):
     order = numpy.argsort(numpy.nan_to_num(values, nan=-numpy.inf))
     most, least = (study.members[place] for place in (order[-1], order[len(values) - numpy.isfinite(values).sum()]))
 
-    def told(member):
+    def with_error_at(member):
         error = report_text.error(member.results, name)
         return report_text.value(member.results, name) + (f" ({error})" if error else "") + f" at {study.label(member)}"
 
@@ -144,12 +144,12 @@ def answer(study):
     if quantity(numpy.nanmin(values), unit, 3) == quantity(numpy.nanmax(values), unit, 3):
         first = f"{words}: {quantity(numpy.nanmax(values), unit, 3)} at every point."
     else:
-        first = f"{words}: from {told(least)} to {told(most)}."
+        first = f"{words}: from {with_error_at(least)} to {with_error_at(most)}."
     return [first, *([study.note] if study.note else [])]
 
 
 def page(study, verdicts):
-    """The whole page."""
+    """The page of a sweep, as HTML."""
     results = study.typical.results
     gallery, charts = figures(study)
     picture = None
@@ -176,7 +176,7 @@ def page(study, verdicts):
 
 
 def solving_time(study):
-    """Sentence on how long the sweep took, by what and when."""
+    """One line on a sweep: times of its stages, version and date."""
     manifest = study.sweep.manifest
     stages = manifest.get("stages", {})
     parts = [f"{name} {stages[name]['wall_time_s']:.3g} s" for name in ("mechanics", "points") if name in stages]

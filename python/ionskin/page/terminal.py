@@ -16,7 +16,7 @@ def lines(results):
 
 
 def main():
-    """Command line."""
+    """Prints the answer of a finished run on the terminal, by the command line."""
     parser = argparse.ArgumentParser(prog="ionskin.page.terminal", description=__doc__)
     parser.add_argument("folder", help="output folder of a run")
     with exit_on(OSError):

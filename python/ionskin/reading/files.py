@@ -45,7 +45,7 @@ def open_ordinary(path, most):
 
 
 def read_text(path, most=LARGEST_TABLE) -> str:
-    """The text of an ordinary file. Raises as `open_ordinary`, and CaseError for what is not UTF-8."""
+    """The text of an ordinary file. Raises as `open_ordinary`, and CaseError for a text that is not UTF-8."""
     with open_ordinary(path, most) as file:
         content = file.read(most + 1)[:most]
     try:

@@ -29,6 +29,8 @@ def mechanics(path):
 def reason(folder, manifest):
     """Reason why a folder without signals.csv cannot be read, as its manifest states it."""
     state = manifest.get("state")
+    if not folder.exists():
+        return f"there is no folder {folder}: name the folder of a finished run"
     if state is None:
         return f"{folder} holds no signals.csv: name the folder of a finished run"
     stages = [name for name, stage in manifest.get("stages", {}).items() if stage.get("state") == state]

@@ -23,7 +23,7 @@ def tell(study, analyses, arguments) -> None:
 
 
 def main() -> int:
-    """The exit code."""
+    """Runs the command line of `ionskin uncertainty` and returns the exit code."""
     arguments = given_options()
     case = base_case(arguments)
     study = Uncertainty(case, arguments.vary, samples=arguments.samples, design=arguments.design, seed=arguments.seed,
@@ -41,11 +41,11 @@ def main() -> int:
     asked = study.ask()
     progress = Progress(len(asked), arguments.quiet, runner)
 
-    def told(trial, outcome):
+    def on_result(trial, outcome):
         study.tell(trial, outcome)
         progress(outcome)
 
-    runner.evaluate(case, asked, kept.points, told)
+    runner.evaluate(case, asked, kept.points, on_result)
     if not study.finished():
         print(f"error: every sample failed; the first: {study.outcomes[0].reason}", file=sys.stderr)
         return SOLVER_GAVE_UP

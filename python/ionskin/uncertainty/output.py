@@ -29,7 +29,7 @@ def units(study) -> dict:
 
 
 def samples_table(study) -> str:
-    """A row a sample: values, status, reason, metrics."""
+    """Table with one row for each sample, as CSV text: values, status, reason, metrics."""
     known = units(study)
     names = list(study.outcomes[study.finished()[0]].metrics)
     rows = [["sample", *(f"{one.key} [{one.unit}]" for one in study.parameters), "status", "reason",
@@ -44,7 +44,7 @@ def samples_table(study) -> str:
 
 
 def indices_table(analyses) -> str:
-    """A row a metric and key."""
+    """Table with one row for each metric and key, as CSV text: indices of Sobol' and their intervals."""
     rows = [["metric", "key", "first", "first_lower_95", "first_upper_95", "total", "total_lower_95", "total_upper_95"]]
     for name, one in analyses.items():
         rows += [[name, key, *map(repr, one.first[key]), *map(repr, one.total[key])] for key in one.first]
@@ -52,7 +52,7 @@ def indices_table(analyses) -> str:
 
 
 def bands_table(found) -> str:
-    """A row an instant and signal."""
+    """Table with one row for each instant and signal, as CSV text: quantiles."""
     rows = [["signal", "time [s]", *(f"quantile_{level:g}" for level in LEVELS)]]
     for name, (time, curves) in found.items():
         rows += [[name, repr(float(t)), *(repr(float(v)) for v in column)] for t, column in zip(time, curves.T)]
@@ -60,7 +60,7 @@ def bands_table(found) -> str:
 
 
 def summary(study, analyses) -> dict:
-    """Contents of uncertainty.json."""
+    """Contents of uncertainty.json, as a dict: keys, samples, statistics and indices by metric."""
     known = units(study)
     return {
         "keys": {one.key: {"distribution": one.written, "unit": one.unit} for one in study.parameters},
@@ -77,7 +77,7 @@ def summary(study, analyses) -> dict:
 
 
 def indices_figure(study, analyses, width):
-    """Bars of both indices with their intervals, a panel a metric; None where every surrogate was refused."""
+    """Bars of both indices with their intervals, one panel for each metric; None where every surrogate was refused."""
     valid = {name: one for name, one in analyses.items() if one.first}
     if not valid:
         return None

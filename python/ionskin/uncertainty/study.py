@@ -27,7 +27,7 @@ class Analysis(NamedTuple):
     leave_one_out, degree, terms  of the surrogate
     first, total      Sobol' indices by key as (index, lower, upper); empty where the surrogate is refused
     refusal           why there are no indices, and the remedy; "" where there are
-    samples_needed    an estimate of how many samples in all a valid surrogate takes; 0 where it is valid or no number helps
+    samples_needed    estimated number of all samples that a valid surrogate takes; 0 where it is valid or more do not help
     """
 
     mean: float
@@ -98,14 +98,14 @@ class Uncertainty:
         """Trials whose results are not given yet, the first `count` of them."""
         return [trial for trial in self.trials if trial.number not in self.outcomes][:count]
 
-    def tell(self, trial: Trial, told: Any) -> None:
+    def tell(self, trial: Trial, result: Any) -> None:
         """Takes the Results of a run, numbers by name of a metric, or the exception that a run ended with.
 
         Raises CaseError where the first result lacks a metric that was asked for.
         """
         if not 0 <= trial.number < len(self.trials):
-            raise CaseError(f"trial {trial.number} is none of this study\n  = tell what was asked")
-        outcome = Outcome.of(told)
+            raise CaseError(f"trial {trial.number} does not belong to this study\n  = pass a trial that ask() returned")
+        outcome = Outcome.of(result)
         if not self.finished():  # the first result tells a misspelt metric, not the last
             outcome.require(self.metrics)
         self.outcomes[trial.number] = outcome
@@ -118,7 +118,7 @@ class Uncertainty:
         """Names of the metrics asked for, or of the usual ones, or of all that were given."""
         rows = self.finished()
         if not rows:
-            raise CaseError("no sample has a result yet\n  = tell the results of what was asked")
+            raise CaseError("no sample has a result yet\n  = call tell() with the result of each trial that ask() returned")
         known = list(self.outcomes[rows[0]].metrics)
         return self.metrics or [name for name in METRICS if name in known] or known
 

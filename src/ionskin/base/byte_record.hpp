@@ -9,8 +9,8 @@
 
 namespace ionskin::base {
 
-/// Takes values from their bytes on this machine, in the order in which they were written. What is
-/// asked for beyond the end is not taken: false.
+/// Takes values from their bytes on this machine, in the order in which they were written. A read
+/// beyond the end takes nothing and returns false.
 class ByteReader {
 public:
   explicit ByteReader(std::span<const std::byte> bytes) : rest_(bytes) {}

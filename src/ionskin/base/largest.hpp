@@ -6,8 +6,8 @@
 
 namespace ionskin::base {
 
-/// The larger of two numbers, or NaN where one is NaN. std::max drops it, so that what has broken
-/// down passes for converged.
+/// The larger of two numbers, or NaN where one is NaN. std::max drops it, so that a solution that
+/// has broken down would pass for converged.
 constexpr double nan_max(double a, double b) {
   return a < b || b != b ? b : a; // a comparison with NaN is false: a NaN stays
 }

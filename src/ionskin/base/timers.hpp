@@ -24,6 +24,7 @@ public:
     double start_;
   };
 
+  /// Adds a duration to a stage, which is made if it is new.
   /// @param seconds wall time to add to a stage
   void add(const std::string& stage, double seconds);
   /// Wall time per stage [s].

@@ -51,7 +51,7 @@ inline double consolidation_modulus(const Case& input, double swelling) {
   const double storage = storage_modulus(input);
   return swelling * storage / (swelling + storage);
 }
-/// The same of a core that keeps its extent along the skin, in which c_v is measured.
+/// c_v / K of a core that keeps its extent along the skin, in which c_v is measured.
 inline double consolidation_modulus(const Case& input) {
   return consolidation_modulus(input, drained_oedometric_modulus(input));
 }

@@ -73,9 +73,9 @@ MotionBox motion_box(const Motion& motion, const Slider& slider);
 /// stays in contact, or else the first that touches.
 const MotionLeg& first_slide(const std::vector<MotionLeg>& legs);
 
-/// The same with the legs that carry it on, as the rows of a recorded path do: without a rest and
-/// without a turn by more than a tenth of a radian from one to the next. It ends where they do; its
-/// direction is theirs together, or the first one's where they lead back.
+/// The leg of `first_slide` joined with the legs that carry it on, as the rows of a recorded path
+/// do: without a rest and without a turn by more than a tenth of a radian from one to the next. It
+/// ends where they do; its direction is theirs together, or the first one's where they lead back.
 MotionLeg whole_slide(const std::vector<MotionLeg>& legs);
 std::array<double, 2> slide_direction(const std::vector<MotionLeg>& legs);
 /// All legs, those that carry on a slide made one with it.

@@ -5,7 +5,7 @@
 
 namespace ionskin::circuits {
 
-/// Rms of the mean over an interval of what stands behind a first-order low pass.
+/// Averaging of an instrument: the mean over an interval, behind a first-order low pass.
 struct Averaging {
   double interval = 0;  ///< [s]
   double bandwidth = 0; ///< of the low pass, -3 dB [Hz]
@@ -14,7 +14,8 @@ struct Averaging {
   double record = 0;
 };
 
-/// docs/model.md (61): sqrt(int S(f) sinc^2(pi f T) / (1 + (f/B)^2) df) from 1/record on.
+/// Rms of the noise of an averaged reading, docs/model.md (61):
+/// sqrt(int S(f) sinc^2(pi f T) / (1 + (f/B)^2) df) from 1/record on.
 /// @param density one-sided power density S(f) [U^2/Hz]
 /// @returns [U]
 double noise_of_mean(const std::function<double(double frequency)>& density,

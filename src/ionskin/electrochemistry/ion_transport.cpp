@@ -243,7 +243,7 @@ private:
             scales_.potential_scale * largest_potential()),
         fmt::format(
             "make coupling.coefficient smaller or the motion slower: charge that comes "
-            "faster than ions can follow makes such potentials{}; --resume goes on as it is",
+            "faster than ions can follow makes such potentials{}; --resume continues as it is",
             solver_.excess() ? "; or raise electrochemistry.largest_concentration, or set "
                                "electrochemistry.ion_model = \"dilute\""
                              : ""));

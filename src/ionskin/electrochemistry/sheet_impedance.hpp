@@ -14,6 +14,7 @@ class SheetImpedance {
 public:
   explicit SheetImpedance(const Case& input);
 
+  /// Impedance of the cell with the resistance of its metal.
   /// @param cell impedance of the cell below equipotential electrodes, times area [ohm m2]
   /// @returns impedance between the leads, times the area of the electrodes [ohm m2]
   std::complex<double> area_impedance(std::complex<double> cell) const;

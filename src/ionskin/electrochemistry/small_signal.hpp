@@ -24,7 +24,7 @@ public:
   std::complex<double> area_impedance(double frequency) const;
 
 private:
-  /// The same below electrodes at one potential each.
+  /// `area_impedance` [ohm m2] of the core alone, between electrodes that are equipotential.
   std::complex<double> core_impedance(double frequency) const;
 
   DerivedScales scales_;

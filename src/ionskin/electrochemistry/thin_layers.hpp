@@ -24,7 +24,7 @@ namespace ionskin::electrochemistry {
 IonSolution solve_thin_layers(const Case& input, const history::CoreHistory& history,
                               const IonOptions& options);
 
-/// 2 lambda/h: what thin layers leave of a charge, relative.
+/// Relative error that thin layers leave in a charge, 2 lambda/h.
 double thin_layer_error(const Electrochemistry& electrochemistry, double core_thickness);
 
 } // namespace ionskin::electrochemistry

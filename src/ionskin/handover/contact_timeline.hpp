@@ -52,6 +52,7 @@ public:
   /// Spans from the beginning of each slide to where all of the contact slips its way [s].
   const std::vector<std::array<double, 2>>& onsets() const { return contact_.stepped_onsets; }
 
+  /// States of the contact around an instant, with their weights.
   /// @param local_time within one cycle [s]
   StateCombination at(double local_time) const;
   StateCombination at_sample(std::size_t index) const { return at(sample_times_[index]); }

@@ -28,6 +28,7 @@ public:
   FieldProjection(const Case& input, const mesh::SkinMesh& mesh, const MotionBox& box);
 
   const history::StrainGrid& grid() const { return grid_; }
+  /// Field on the grid of the history, by projection, with the slider's centre at a place.
   /// @param at_points [z][y][x], of the half model where the mesh is one
   /// @param points along x, y, z
   history::StrainField at(std::vector<double> at_points, const std::array<std::size_t, 3>& points,

@@ -19,13 +19,15 @@ struct SurfaceInstant {
 
   /// Displacement of the slider at a cell since an earlier instant [m].
   Vector moved(const SurfaceInstant& before, std::size_t cell) const;
-  /// The same relative to the skin at one cell: its slip along x and y [m].
+  /// Displacement of the slider relative to the skin at a cell since an earlier instant: its slip
+  /// along x and y [m].
   Vector slip(const SurfaceInstant& before, std::size_t cell) const;
 };
 
 /// Areas of the contact cells [m2].
 std::vector<double> cell_areas(const mechanics::ContactSolution& contact);
 
+/// Surface of slider and skin in a combination of states.
 /// @param areas of the cells [m2]
 SurfaceInstant surface_instant(const StateCombination& combination,
                                const std::vector<double>& areas);

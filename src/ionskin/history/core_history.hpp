@@ -69,7 +69,7 @@ struct CoreHistory {
   const HistoryChannel* find(std::string_view name) const;
   /// The channel of a name, which must be there.
   const HistoryChannel& channel(std::string_view name) const;
-  /// The same, added without samples when it is not there.
+  /// The channel of a name; where there is none, it is added without samples.
   HistoryChannel& add_channel(const std::string& name, const std::string& unit);
   /// Samples of the shear; the channel is added when it is not there.
   std::vector<std::shared_ptr<const StrainField>>& shear() {
@@ -94,6 +94,7 @@ struct TimeBracket {
   double weight = 0;
 };
 
+/// Samples around an instant, with their weights.
 /// @param time [s]; clamped to the history
 TimeBracket bracket(const CoreHistory& history, double time);
 

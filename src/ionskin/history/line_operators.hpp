@@ -24,8 +24,9 @@ struct LineOperator {
 /// Rows: n + 1 nodes; sources: 2 n points.
 LineOperator linear_projection(const std::vector<double>& lines);
 
-/// The same on twice the nodes: the ends of the intervals and their middles, which keeps more of
-/// what happens at the outer ends.
+/// L2 projection as `linear_projection` makes it, on twice the nodes: the ends of the intervals and
+/// their middles. It keeps more of a change at the outer ends.
+/// Rows: 2 n + 1 nodes; sources: 2 n points.
 LineOperator halved_projection(const std::vector<double>& lines);
 /// L2 projection of the means over both halves of each interval, otherwise as `linear_projection`.
 LineOperator half_means_projection(const std::vector<double>& lines);
@@ -58,7 +59,7 @@ LineOperator hat_averages(const std::vector<double>& source_nodes,
 LineOperator linear_interpolation(const std::vector<double>& source_nodes,
                                   const std::vector<double>& target_nodes);
 
-/// `second` after `first`.
+/// Product of two operators: `second` applied to the result of `first`.
 LineOperator compose(const LineOperator& second, const LineOperator& first);
 
 /// Applies an operator along the middle index of a field [outer][sources][inner] into

@@ -5,8 +5,8 @@
 
 namespace ionskin::history {
 
-/// The same history on cells twice as wide in x and y, each with the mean of those that it takes
-/// in: integrals over the core stay. Cells are merged from both ends inwards, so that mirror images
+/// A history on cells twice as wide in x and y, each with the mean of those that it takes in:
+/// integrals over the core stay. Cells are merged from both ends inwards, so that mirror images
 /// stay.
 CoreHistory merge_cells(const CoreHistory& history);
 

@@ -15,6 +15,7 @@ struct ShearStatistics {
   double element_max = 0;  ///< largest average over one z interval of one cell [1]
 };
 
+/// Statistics of the shear at an instant of a history.
 /// @param time [s] within the history
 /// Mean, first moment (docs/model.md (11)) and rms are exact for the piecewise-linear form. All are
 /// NaN in a history without shear.

@@ -16,7 +16,7 @@ namespace ionskin::laws {
 
 /// A parameter of a law's own, as the law declares it. The schema makes a key of it,
 /// `contact.NAME`, `coupling.NAME` or, of a circuit, `readout.NAME`, which is read, checked,
-/// explained, documented and hashed by what stands here.
+/// explained, documented and hashed by this declaration.
 struct LawParameter {
   std::string_view name;
   units::Dimension dimension = units::Dimension::number;
@@ -71,7 +71,8 @@ template <class Law> Law with_parameters(const LawValues& values) {
   return law;
 }
 
-/// The same with the coefficient that every law of friction or coupling has.
+/// A law from the values of its parameters and the coefficient that every law of friction or
+/// coupling has.
 template <class Law> Law law_with(double coefficient, const LawValues& values) {
   Law law = with_parameters<Law>(values);
   law.coefficient = coefficient;

@@ -29,6 +29,7 @@ public:
   const ChannelMap& map() const { return channel_; }
   std::size_t levels() const { return channel_.mean.size(); }
 
+  /// Sets the touches whose fields are asked for next, one lane each.
   /// @param touches one for each lane, at most `most_lanes`
   void set(std::span<const Touch> touches) noexcept;
   /// Integrals over all that lies before a corner along x and y, one for each level.

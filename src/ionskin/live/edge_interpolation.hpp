@@ -8,7 +8,9 @@
 
 namespace ionskin::live {
 
-/// A coordinate between two edges, taken to the nearest of all where it lies outside.
+/// Linear interpolation at a coordinate: the two edges around it, and their weights, which add up
+/// to
+/// 1. Outside of all edges it is the nearest one.
 struct Between {
   std::array<std::size_t, 2> edge{};
   std::array<double, 2> weight{};

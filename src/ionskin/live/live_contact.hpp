@@ -19,7 +19,8 @@ inline constexpr std::size_t motions = 6;
 /// One increment of contact and friction by at most so many sweeps of projected Gauss-Seidel, which
 /// start from the forces of the step before, with Newton's steps for the normal and for the
 /// tangential forces between them; where they miss a given force, a bracketed search over the
-/// indentation. Never fails; what is left is reported. Nothing is allocated after construction.
+/// indentation. Never fails; the remaining residual is reported. Nothing is allocated after
+/// construction.
 class LiveContact {
 public:
   /// State that passes from step to step; memory of the owner.
@@ -46,6 +47,7 @@ public:
   /// @param data outlives this
   explicit LiveContact(const SkinData& data);
 
+  /// Steps the contact; `state` is that before the step on entry and that behind it on return.
   /// @returns the largest change of a force in the last sweep over the largest force
   double step(double time_step, const std::array<double, 2>& place,
               const std::array<double, 2>& travel, const Load& load, State state) noexcept {

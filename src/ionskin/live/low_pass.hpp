@@ -11,6 +11,7 @@ struct LowPass {
   double decay = 1; ///< of the state
   double before = 0, now = 0;
 
+  /// Weights of a step.
   /// @param rate [1/s]
   /// @param step [s]
   static LowPass over(double rate, double step) noexcept {
@@ -19,7 +20,8 @@ struct LowPass {
     return {decay, mean - decay, 1 - mean};
   }
 
-  /// @param from, to what drives at the begin and at the end of the step
+  /// State at the end of a step.
+  /// @param from, to the input at the begin and at the end of the step
   double next(double state, double from, double to) const noexcept {
     return decay * state + before * from + now * to;
   }

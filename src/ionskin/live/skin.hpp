@@ -46,6 +46,7 @@ public:
   /// Names of the signals, with those of signals.csv and taxels.csv [SI units].
   const std::vector<std::string>& names() const { return names_; }
 
+  /// Steps the skin to an instant, with the slider at a place and a height or under a force.
   /// @param time [s]; of the first step any. Currents are means since the step before.
   /// @param place of the slider's centre [m]
   /// @param is_force whether `value` is the normal force of the whole skin [N], 0 or less for none,

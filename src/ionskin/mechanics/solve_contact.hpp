@@ -47,14 +47,15 @@ struct ContactVariant {
 ContactSolution solve_contact(const Case& input, const ContactOptions& options,
                               base::Timers& timers);
 
-/// The same for several friction coefficients, of which those with one footprint share the
+/// All of Study 1 for several friction coefficients, of which those with one footprint share the
 /// skin; a contact that reaches its border is solved on a wider one by itself. Each
 /// solution is the same bits as alone. One solution each, in order; `input.contact.friction` is not
 /// used.
 std::vector<ContactSolution> solve_contact(const Case& input, const std::vector<double>& frictions,
                                            const ContactOptions& options, base::Timers& timers);
 
-/// The same for variants, each with load steps of its own; `options.steps` is not used.
+/// All of Study 1 for variants of a case, each with load steps of its own; `options.steps` is not
+/// used.
 std::vector<ContactSolution> solve_variants(const Case& input,
                                             const std::vector<ContactVariant>& variants,
                                             const ContactOptions& options, base::Timers& timers);

@@ -37,8 +37,8 @@ Footprint largest_footprint(const Case& input);
 /// reaches its border leaves the skin.
 bool ends_at_skin(const Case& input, const Footprint& footprint, std::size_t direction);
 
-/// About what a solution will find: the largest but for a round contact under a force, which feels
-/// what lies on the softest layer as a plate.
+/// Estimate of the footprint that a solution will find: the largest but for a round contact under a
+/// force, which feels what lies on the softest layer as a plate.
 Footprint expected_footprint(const Case& input);
 
 } // namespace ionskin::mesh

@@ -15,7 +15,8 @@ namespace ionskin::parallel {
 void run_tasks(std::size_t count, int threads, const std::function<void(std::size_t)>& task,
                SpareThreads* spare = nullptr);
 
-/// The same on the calling thread, which spare threads help.
+/// Runs `task(0) ... task(count - 1)` on the calling thread, helped by spare threads, and waits for
+/// all of them; exceptions as in `run_tasks`.
 void run_tasks_with_help(std::size_t count, SpareThreads& spare,
                          const std::function<void(std::size_t)>& task);
 

@@ -26,7 +26,7 @@ public:
   /// Makes `vector` orthogonal to the first `count` orthonormal `basis` vectors (classical
   /// Gram-Schmidt, two sweeps over memory).
   /// @param coefficients receives the products with the basis vectors
-  /// @returns the norm of what is left
+  /// @returns the norm of the remainder
   double orthogonalise(const std::vector<std::vector<double>>& basis, std::size_t count,
                        std::span<double> vector, std::span<double> coefficients);
   /// y = factor x

@@ -25,6 +25,7 @@ struct CostEstimate {
   double seconds = 0;           ///< wall time of both, with files and report
 };
 
+/// Estimate of time and memory of a case, without solving it.
 /// @param threads that will run
 /// @param found the slider's footprint where a coarse solution found it; without, the cells under
 /// a round slider are a guess

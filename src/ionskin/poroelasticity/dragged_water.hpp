@@ -37,7 +37,7 @@ public:
                const WaterWalls& walls, const std::vector<double>& levels,
                const Relaxation& relaxation = {});
 
-  /// Cations at rest.
+  /// State of equilibrium in which the cations rest and no water flows.
   PressureState rest() const;
   /// The state `duration` [s] after `begin`, the cations moving evenly in between.
   /// @param cations above those at rest, per area at each level, at the end [mol/m2]; empty: none

@@ -41,6 +41,7 @@ struct StepResponse {
   double undrained_directly = 0;
 };
 
+/// Response of one mode to a step of the load, as a sum of exponentials.
 /// @param diffusion rate at which the mode would decay if nothing relaxed, c_v times its curvature
 ///   [1/s]; infinite at an open wall, where P is 0
 StepResponse step_response(const Relaxation& relaxation, double diffusion);

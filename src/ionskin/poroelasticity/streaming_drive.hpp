@@ -15,7 +15,7 @@
 
 namespace ionskin::poroelasticity {
 
-/// State of the water at an instant; what a resumed run takes up.
+/// State of the water at an instant; a resumed run continues from it.
 struct WaterState {
   double time = 0; ///< [s]
   PressureState pressure;

@@ -21,6 +21,7 @@ struct WaterWalls {
   double slope_of_share(double thickness) const;
 };
 
+/// Conductances of both walls over the mobility of the core [1/m], from the keys of a case.
 /// @param mobility of the core [m2/(Pa s)]
 WaterWalls water_walls(const Water& water, double mobility);
 

@@ -10,7 +10,7 @@ namespace ionskin::readout {
 
 // Columns of circuit.csv: what stands at the terminals of the readout circuit.
 
-/// Half the difference of the electrodes' charges: what has passed between them [C].
+/// Half the difference of the electrodes' charges: the charge that has passed between them [C].
 std::vector<double> charge_difference(const std::vector<double>& charge_top,
                                       const std::vector<double>& charge_bottom);
 

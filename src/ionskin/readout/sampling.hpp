@@ -22,7 +22,7 @@ SignalTable sample_currents(const SignalTable& signals, double interval,
                             const ChargeRelaxation& relaxation = {});
 
 /// A table over time as the same instrument sees it, with the same rows as `sample_currents`: of a
-/// charge what stands at the end of the interval, of a current the charge gained divided by the
+/// charge its value at the end of the interval, of a current the charge gained divided by the
 /// interval, of a voltage its mean. Linear between the rows.
 /// @param table with time; the charge of a column current* is the column charge* of the same ending
 SignalTable sample_table(const SignalTable& table, double interval);

@@ -16,6 +16,7 @@ inline constexpr double full_slip_share = 0.01;
 /// State of the contact, by the numbers of the column `slip_state`.
 enum class SlipState { detached = 0, stick = 1, partial_slip = 2, full_slip = 3 };
 
+/// State of a contact by its area and the share that sticks.
 /// @param area of the contact [m2]
 /// @param stick_share of it, 0 to 1
 SlipState slip_state(double area, double stick_share);

@@ -27,6 +27,7 @@ struct SlipPrecursor {
   std::optional<double> correlation;
 };
 
+/// Precursor of a slide in the record of one current.
 /// @param time of the rows [s]
 /// @param charge of the current [C], linear between the rows
 /// @param stick_share at the rows

@@ -15,7 +15,7 @@ inline constexpr const char* file_list_name = ".ionskin-files";
 /// A name that leads nowhere but into the folder or a folder in it.
 bool is_inner_name(const std::string& name);
 
-/// The names in the list; what is not an inner name is left out. Nothing when there is no list.
+/// The names in the list; anything but an inner name is left out. Empty when there is no list.
 std::optional<std::set<std::string>> read_file_list(const std::filesystem::path& folder);
 
 /// Adds a name to the list, which is made if it is missing, and flushes it to the disk, so that no

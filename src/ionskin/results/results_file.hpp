@@ -26,6 +26,7 @@ public:
   };
   ResultsFile(const std::filesystem::path& path, Start start);
 
+  /// Writes a table of signals as a group, one dataset for each column.
   /// @param group "signals", "sampled", "taxels", "circuit", or one of the latter with "sampled_"
   void write_signals(const std::string& group, const readout::SignalTable& table);
   void write_strain(const history::CoreHistory& history);
@@ -33,12 +34,14 @@ public:
   /// snapshot under /ions/TIME, the grid under /ions/grid.
   void write_ions(const electrochemistry::TransportGrid& grid,
                   const std::vector<electrochemistry::IonSnapshot>& snapshots);
+  /// Writes the tractions of the states of a contact.
   /// @param suffix of the slider, after /contact
   void write_contact(const ContactMaps& contact, const std::string& suffix = "");
   /// The slider's underside for drawings, with its suffix after /slider: places /slider/x and
   /// /slider/y from its centre [m], and the height above its lowest point there, /slider/height [y,
   /// x] in m.
   void write_slider(const Slider& slider, const std::string& suffix = "");
+  /// Writes the text of the case or of the manifest.
   /// @param name "case" or "manifest"
   void write_text(const std::string& name, const std::string& text);
 

@@ -13,6 +13,7 @@ struct SliderSurface {
   std::vector<double> height; ///< above its lowest point, [y][x], x fastest [m]
 };
 
+/// Heights of a slider's underside for drawings.
 /// @param x,y further places, as far as they lie within the plan [m]
 SliderSurface slider_surface(const Slider& slider, const std::vector<double>& x = {},
                              const std::vector<double>& y = {});

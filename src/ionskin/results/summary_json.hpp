@@ -25,7 +25,7 @@ struct CircuitEntry {
   std::string top_potential; ///< of the top electrode above the bottom one: "φ = U = R I"
 };
 
-/// Contents of summary.json.
+/// Contents of summary.json: metrics with errors, timing, warnings, audits.
 struct Summary {
   std::vector<readout::Metric> metrics;
   std::map<std::string, double> timing; ///< mechanics, strain, electrochemistry, output, total [s]

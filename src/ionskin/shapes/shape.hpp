@@ -15,7 +15,7 @@
 
 namespace ionskin::shapes {
 
-/// Height of what is beyond the body: nothing touches there [m].
+/// Height that stands for places beyond the body, where nothing touches [m].
 inline constexpr double unreachable_gap = 1.0;
 
 /// Plan of any slider, whatever its shape.
@@ -70,7 +70,8 @@ public:
   virtual double height(const Plan& plan, double x, double y) const = 0;
   /// Least height within the plan [m].
   virtual double lowest(const Plan&) const { return 0; }
-  /// The same of the shape on a slope along x and y, `height + slope . (x, y)` [m].
+  /// Least height within the plan of the shape on a slope along x and y, `height + slope . (x, y)`
+  /// [m].
   virtual double lowest_on_slope(const Plan& plan, const std::array<double, 2>& slope) const;
   /// True if all of the plan touches at once, up to sharp edges.
   virtual bool sharp() const { return false; }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "allocation_counter.hpp"
+#include "ionskin/base/digest.hpp"
 #include "ionskin/base/error.hpp"
 #include "ionskin/live/interface/ionskin_live.h"
 #include "ionskin/live/skin.hpp"
@@ -11,6 +12,8 @@
 #include <filesystem>
 #include <fstream>
 #include <limits>
+#include <span>
+#include <string>
 
 namespace ionskin::live {
 namespace {
@@ -263,6 +266,23 @@ TEST_F(LiveSkin, ComesBackFromItsFile) {
   }
   std::filesystem::remove(path);
   EXPECT_THROW(read_skin(path), UserError);
+}
+
+// A seed in an older format would be refused at its first line, and the fuzzer would search
+// nothing.
+TEST_F(LiveSkin, SeedOfTheFuzzerIsReadable) {
+  std::ifstream file(IONSKIN_CORPUS "/live_skin/hold", std::ios::binary);
+  std::string bytes{std::istreambuf_iterator<char>(file), {}};
+  bytes += base::DigestBuilder().add_bytes(std::as_bytes(std::span(bytes))).finish().hex();
+  const auto path = std::filesystem::temp_directory_path() / "ionskin_live_seed.live";
+  std::ofstream(path, std::ios::binary) << bytes;
+  EXPECT_NO_THROW(read_skin(path));
+  if (HasFailure()) {
+    write_skin(path, data);
+    std::filesystem::resize_file(path, std::filesystem::file_size(path) - digest_digits);
+    FAIL() << "copy " << path << " to fuzz/corpus/live_skin/hold";
+  }
+  std::filesystem::remove(path);
 }
 
 TEST_F(LiveSkin, RefusesAFileWhoseSizesDoNotFit) {

@@ -33,7 +33,7 @@ Wrench wrench_of(Skin& skin, const Given& given) {
           signals[moment], signals[moment + 1], signals[moment + 2]};
 }
 
-/// The same underside, turned by so much about x or y through its centre.
+/// A skin whose underside is turned by so much about x or y through its centre.
 SkinData turned(SkinData data, std::size_t axis, double angle) {
   const std::size_t columns = data.cell_lines_x.size() - 1;
   for (std::size_t cell = 0; cell < data.gap.size(); ++cell) {
@@ -168,7 +168,7 @@ TEST(LiveStiffness, OfAHalfSkinIsThatOfItsSymmetricMotions) {
   EXPECT_EQ(of_half[6 * 1 + 2], 0);
 }
 
-TEST(LiveStiffness, IsToldByCAndCxx) {
+TEST(LiveStiffness, IsReportedByCAndCxx) {
   const SkinData data = stiff_skin("coulomb");
   const auto path = std::filesystem::temp_directory_path() / "ionskin_live_stiffness.live";
   write_skin(path, data);

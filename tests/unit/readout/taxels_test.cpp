@@ -19,7 +19,7 @@ TEST(Taxels, CurrentsAreMeansOverTheStepsAndChargesFollow) {
   EXPECT_EQ(table.column("charge_top_rest").values, (std::vector<double>{0, -3, -3}));
 }
 
-TEST(Taxels, WithABottomChargeTheOddAndTheEvenPartAreTold) {
+TEST(Taxels, WithABottomChargeTheOddAndTheEvenPartAreReported) {
   const SignalTable table = taxel_signals({0, 1}, {{"left", {0, 4}, {0, -2}}});
   EXPECT_EQ(table.column("charge_odd_left").values, (std::vector<double>{0, 3}));
   EXPECT_EQ(table.column("current_even_left").values, (std::vector<double>{0, 1}));

@@ -47,7 +47,7 @@ TEST(Manifest, SaysWhatMadeTheResult) {
   EXPECT_EQ(json["started"].get<std::string>().size(), std::string("2000-01-01T00:00:00Z").size());
 }
 
-TEST(Manifest, TellsItsOwnFromOthers) {
+TEST(Manifest, DistinguishesItsOwnFromOthers) {
   const ScratchFolder folder;
   EXPECT_FALSE(is_ionskin_manifest(folder / "manifest.json"));
   for (const char* foreign :
@@ -93,7 +93,7 @@ TEST(Manifest, AFolderAPipeOrADeviceIsNone) {
   }
 }
 
-TEST(Manifest, ContentHashTellsTextsApart) {
+TEST(Manifest, ContentHashDistinguishesTexts) {
   EXPECT_EQ(content_hash("foobar").size(), 32U);
   EXPECT_EQ(content_hash("foobar"), content_hash("foobar"));
   EXPECT_NE(content_hash("foobar"), content_hash("foobas"));

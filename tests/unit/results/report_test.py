@@ -99,7 +99,7 @@ class Report(unittest.TestCase):
         single = {"readout": {"taxels": [{"name": "a"}, {"name": "b"}]}}
         self.assertEqual(dict(report_text.case_groups(single))["Readout"], [("taxels", "2")])
 
-    def test_metal_with_a_resistance_is_told_with_its_lead(self):
+    def test_metal_with_a_resistance_is_reported_with_its_lead(self):
         case = {"skin": {"layers": [{"name": "bottom", "sheet_resistance": "2 ohm"}, {"name": "ionomer"}, {"name": "top"}]},
                 "readout": {"sample_interval": "10 ms"}}
         groups = dict(report_text.case_groups(case))
@@ -180,9 +180,9 @@ class Report(unittest.TestCase):
         self.assertNotIn("url(http", self.page)
 
     def test_every_figure_stands_in_the_page_and_is_a_file_where_asked_for(self):
-        names = {"reading", "motion", "shear", "currents", "forces", "charge", "relaxation"}
+        names = set(self.data()["charts"])
         self.assertEqual(set(re.findall(r'id="chart-([^"]+)"', self.page)), names)
-        self.assertEqual(set(self.data()["charts"]), names)
+        self.assertLessEqual({"reading", "motion", "shear", "currents", "forces", "charge", "relaxation"}, names)
         with tempfile.TemporaryDirectory() as folder:
             folder = pathlib.Path(folder)
             write_run(folder)
@@ -228,7 +228,9 @@ class OtherRuns(unittest.TestCase):
         return [entry.name for entry, _ in draw_all(Results(self.folder))]
 
     def test_runs_from_a_strain_file_have_no_motion(self):
-        self.assertEqual(self.figures(contact=False), ["reading", "shear", "currents", "charge"])
+        drawn = self.figures(contact=False)
+        self.assertLessEqual({"reading", "shear", "currents", "charge"}, set(drawn))
+        self.assertFalse({"motion", "contact", "forces"}.intersection(drawn))
 
     def test_a_path_across_the_skin_shows_its_place_and_the_size_of_its_force(self):
         write_run(self.folder)
@@ -247,7 +249,9 @@ class OtherRuns(unittest.TestCase):
         self.assertEqual(figures.forces(study.typical.results).rows[0][0].curves[1].y.tolist(), [5.0] * (len(lines) - 1))
 
     def test_mechanics_alone_has_no_currents(self):
-        self.assertEqual(self.figures(ions=False), ["motion", "shear", "forces"])
+        drawn = self.figures(ions=False)
+        self.assertLessEqual({"motion", "shear", "forces"}, set(drawn))
+        self.assertFalse({"reading", "currents", "charge", "relaxation"}.intersection(drawn))
 
     def test_opens_with_what_can_be_read(self):
         write_run(self.folder)
@@ -291,6 +295,8 @@ class OtherRuns(unittest.TestCase):
     def test_a_folder_without_results_is_named(self):
         with self.assertRaisesRegex(FileNotFoundError, "signals.csv"):
             make_report(self.folder)
+        with self.assertRaisesRegex(FileNotFoundError, "there is no folder .*missing"):
+            make_report(self.folder / "missing")
 
 
 class Reading(unittest.TestCase):
@@ -452,6 +458,11 @@ class LinesThatCross(unittest.TestCase):
 
 
 class ChartData(unittest.TestCase):
+    def test_an_rms_says_that_it_counts_spikes_which_a_sampled_peak_does_not(self):
+        self.assertEqual(quantities.words("rms_current_difference"), "Rms of the resolved difference current")
+        self.assertEqual(quantities.words("rms_current_top"), "Rms of the resolved current, top")
+        self.assertEqual(quantities.words("peak_sampled_current_top"), "Peak sampled current, top")
+
     def test_numbers_are_short_and_right(self):
         self.assertEqual(chart_data.rounded([0.0, 1.23456789e-9, -98765.4321, 7e300]), [0.0, 1.2346e-09, -98765.0, 7e300])
         self.assertEqual(chart_data.rounded([1.0, numpy.nan, numpy.inf]), [1.0, None, None])
@@ -493,7 +504,7 @@ class Words(unittest.TestCase):
                 case = types.SimpleNamespace(case={"slider": slider})
                 self.assertIn(words, " ".join(report_text.limits(case)))
 
-    def test_the_circuit_is_told_as_the_run_says_it(self):
+    def test_the_circuit_is_named_as_in_the_run(self):
         told = types.SimpleNamespace(case={}, circuit=None, circuit_words={
             "words": "resistor of 1e+06 ohm and capacitor of 1e-10 F in parallel", "top_potential": "φ = U = R I"})
         self.assertEqual(readout.circuit_words(told), "Resistor of 1 MΩ and capacitor of 100 pF in parallel")

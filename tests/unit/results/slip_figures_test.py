@@ -122,8 +122,8 @@ class Window(SlipTest):
 
     def words(self, **what):
         study = self.write(**what)
-        told = {current: [slip.told(member.results, current) for member in study.members] for current in slip.CURRENTS}
-        words = trends.window_words(study, told)
+        precursors = {current: [slip.precursor(member.results, current) for member in study.members] for current in slip.CURRENTS}
+        words = trends.window_words(study, precursors)
         shutil.rmtree(self.folder)
         self.folder.mkdir()
         return words
@@ -137,7 +137,7 @@ class Window(SlipTest):
 
     def test_names_each_part_of_a_window(self):
         study = self.write()
-        yes, no = (slip.Told(1.0, 0.0, 0.1, lead, 0.0, 0.5) for lead in (1.0, 0.1))
+        yes, no = (slip.Precursor(1.0, 0.0, 0.1, lead, 0.0, 0.5) for lead in (1.0, 0.1))
         self.assertEqual(trends.window_words(study, {"difference": [yes, yes, no, no, yes]}), "recognised at 0.1–0.2, 0.5")
 
     def test_is_drawn_of_a_sweep_alone(self):

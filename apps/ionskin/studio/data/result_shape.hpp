@@ -9,7 +9,7 @@ namespace ionskin::apps::studio {
 /// there. Throws UserError with the first entry that has not.
 void require_manifest(const Json& manifest);
 
-/// The same of summary.json or fit.json.
+/// Requires the types that a page expects of summary.json or fit.json. Throws UserError likewise.
 void require_summary(const Json& summary);
 
 } // namespace ionskin::apps::studio

@@ -10,7 +10,7 @@
 
 namespace ionskin::apps::studio {
 
-/// State of a job. `stopping` was told to end; `stopped` can be resumed; `found` came with the
+/// State of a job. `stopping` was asked to end; `stopped` can be resumed; `found` came with the
 /// workspace and runs only when the user says so.
 enum class JobState { queued, running, stopping, stopped, finished, failed, found };
 

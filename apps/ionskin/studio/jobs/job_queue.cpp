@@ -281,7 +281,7 @@ void JobQueue::look_at(Entry& entry) {
 /// A command that does not answer the first signal gets stronger ones.
 void JobQueue::press(Entry& entry) {
   const double waited = now() - entry.cancelled;
-  if (entry.cancelled == 0) { // told so by an earlier server
+  if (entry.cancelled == 0) { // cancelled by an earlier server
     entry.cancelled = now();
     kill(-entry.job.keeper.pid, SIGINT);
   } else if (waited > 40) {
@@ -293,11 +293,11 @@ void JobQueue::press(Entry& entry) {
 
 void JobQueue::end(Entry& entry) {
   Job& job = entry.job;
-  const fs::path told_end = records(job) / "end.json";
-  const bool told = fs::exists(told_end);
+  const fs::path end_record = records(job) / "end.json";
+  const bool recorded = fs::exists(end_record);
   job.exit_code = interrupted;
-  if (told) {
-    const Json record = base::read_json(told_end, "record", limits::record).value_or(Json());
+  if (recorded) {
+    const Json record = base::read_json(end_record, "record", limits::record).value_or(Json());
     job.exit_code = record.is_object() ? record.value("exit_code", -1) : -1;
   }
   job.ended = now();
@@ -306,7 +306,7 @@ void JobQueue::end(Entry& entry) {
     job.state = JobState::finished;
   } else if (job.exit_code == interrupted || job.state == JobState::stopping) {
     job.state = JobState::stopped;
-    if (!told) {
+    if (!recorded) {
       job.message = "the run was ended from outside; what it finished is kept";
     }
   } else {

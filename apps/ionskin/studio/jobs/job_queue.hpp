@@ -52,7 +52,7 @@ private:
   struct Entry {
     Job job;
     Json progress;
-    double cancelled = 0;   ///< when it was told to stop
+    double cancelled = 0;   ///< when it was asked to stop
     std::string found = {}; ///< name of its record in the workspace
   };
   Entry& find(const std::string& id);

@@ -51,8 +51,9 @@ ProgressLog read_progress(const std::filesystem::path& messages) {
     log.fraction = entry->at("fraction").get<double>();
     const double elapsed = entry->at("elapsed_s").get<double>();
     log.left = log.fraction > 0.02 ? elapsed * (1 - log.fraction) / log.fraction : -1;
-    if (const auto told = entry->find("time_left_s"); told != entry->end() && told->is_number()) {
-      log.left = told->get<double>();
+    if (const auto time_left = entry->find("time_left_s");
+        time_left != entry->end() && time_left->is_number()) {
+      log.left = time_left->get<double>();
     }
   }
   return log;

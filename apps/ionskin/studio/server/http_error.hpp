@@ -6,7 +6,7 @@
 
 namespace ionskin::apps::studio {
 
-/// A request that is answered with an error: its status, and what a reader is told.
+/// A request that is answered with an error: its status, and a message for the reader.
 class HttpError : public std::runtime_error {
 public:
   HttpError(int status, const std::string& message)

@@ -54,14 +54,14 @@ void Server::serve_events(Response& response) {
   const std::shared_ptr<void> place(nullptr, [this](void*) { --listeners_; });
   response.type = "text/event-stream";
   response.stream = [this, place](const Response::Write& write) {
-    std::uint64_t told = 0;
+    std::uint64_t sent = 0;
     for (bool goes_on = true; goes_on;) {
-      goes_on = jobs_.wait(told, std::chrono::seconds(10));
+      goes_on = jobs_.wait(sent, std::chrono::seconds(10));
       const std::uint64_t version = jobs_.version();
-      const std::string event = version == told
+      const std::string event = version == sent
                                     ? std::string(": still here\n\n")
                                     : fmt::format("event: jobs\ndata: {}\n\n", dump(jobs_.list()));
-      told = version;
+      sent = version;
       goes_on = write(event) && goes_on;
     }
   };

@@ -8,7 +8,7 @@ from . import motion
 
 
 def main() -> int:
-    """The exit code."""
+    """Runs the command line of `ionskin motion` and returns the exit code."""
     options = {name: value for name, value in vars(given_options()).items() if value != ""}  # else what the recording tells
     output, overwrite, quiet = (options.pop(name) for name in ("output", "overwrite", "quiet"))
     path = motion(options.pop("recordings"), **options)

@@ -106,7 +106,7 @@ def _require_none(columns, role):
 
 
 def _no_numbers(column):
-    return f"{column.name} holds \"{column.text}\" in line {column.line}, no number" if column.line else (
+    return f"{column.name} holds \"{column.text}\" in line {column.line}, which is not a number" if column.line else (
         f"{column.name} holds no numbers")
 
 

@@ -52,7 +52,7 @@ def axes(x_axis, y_axis):
         rows.append(numpy.array([float(part) for part in parts]))
     lengths = [numpy.linalg.norm(row) for row in rows]
     if min(lengths) == 0 or abs(rows[0] @ rows[1]) > 1e-3 * lengths[0] * lengths[1]:
-        raise CaseError(f"the axes {x_axis} and {y_axis} do not stand at a right angle\n  = give two directions that do")
+        raise CaseError(f"the axes {x_axis} and {y_axis} are not perpendicular\n  = give two directions that are")
     x = rows[0] / lengths[0]
     y = rows[1] - (rows[1] @ x) * x
     y /= numpy.linalg.norm(y)

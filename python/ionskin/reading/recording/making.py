@@ -18,7 +18,7 @@ def motion(recordings, *, columns=(), origin=(0, 0, 0), x_axis=(1, 0, 0), y_axis
            level="auto", contact_force=None, tare=False, gap="1 mm", rate=None, filter=None) -> Path:
     """A path from a recording, or from several of one clock: the first gives the instants.
 
-    columns        "ROLE=NAME [unit]" where a name does not tell; roles: time, x, y, z, height, qx, qy, qz, qw, fx, fy,
+    columns        "ROLE=NAME [unit]" where a name does not say it; roles: time, x, y, z, height, qx, qy, qz, qw, fx, fy,
                    fz, force
     origin         corner (0, 0) of the skin's top face in the recording's frame, in metres or with units
     x_axis, y_axis directions of the skin's x and y there
@@ -130,12 +130,12 @@ def _by_force(force, height, gap, contact_force, tare, notes):
                         "sensor's offset or the weight of a tool; if the finger never leaves the skin, say so by "
                         "--contact-force")
     touches = contact.touching(force, above) & (force > 0)
-    stretches = contact.parts(touches)
-    if not stretches:
+    touched = contact.parts(touches)
+    if not touched:
         raise CaseError(f"the force never rises above {above:.4g} N, where a touch begins\n"
                         "  = lower it with --contact-force, or take --level height")
-    notes.append(f"touches where the force is above {above:.4g} N, until half of it: {len(stretches)} time"
-                 f"{'s' if len(stretches) > 1 else ''}")
+    notes.append(f"touches where the force is above {above:.4g} N, until half of it: {len(touched)} time"
+                 f"{'s' if len(touched) > 1 else ''}")
     if height is None:
         off = numpy.full(len(force), gap)
         notes.append(f"off the skin the height is {1e3 * gap:.4g} mm")
@@ -145,7 +145,7 @@ def _by_force(force, height, gap, contact_force, tare, notes):
         if below:
             notes.append(f"{below} heights below 0 where nothing is felt are set to 0, the least of {1e3 * height.min():.3g} "
                          "mm: is the origin on the skin's top face?")
-        landing = float(numpy.median([height[first] for first, _ in stretches]))
+        landing = float(numpy.median([height[first] for first, _ in touched]))
         if abs(landing) > 1e-3:
             notes.append(f"the force begins at a height of {1e3 * landing:.4g} mm: is the origin on the skin's top face?")
     return numpy.where(touches, numpy.nan, off), numpy.where(touches, force, numpy.nan)

@@ -49,7 +49,7 @@ def _continuous(turn):
 def merged(paths, wanted, notes) -> Channels:
     """The channels of recordings of one clock, at the instants of the first. Raises CaseError.
 
-    wanted  "ROLE=NAME [unit]" of each column whose name does not tell
+    wanted  "ROLE=NAME [unit]" of each column whose name does not say what it is
     """
     if not paths:
         raise CaseError("no recording is named")
@@ -64,7 +64,7 @@ def merged(paths, wanted, notes) -> Channels:
     if rows.sum() < 2:
         raise CaseError("the recordings do not overlap in time\n  = are they of one clock, and their units those of --column?")
     if not rows.all():
-        notes.append(f"{(~rows).sum()} rows are left out where not every recording has begun, or goes on")
+        notes.append(f"{(~rows).sum()} rows are left out where not every recording has begun, or has ended already")
     time = base.time[rows]
     values = {name: one[rows] for name, one in base.values.items()}
     for other, first in parts[1:]:

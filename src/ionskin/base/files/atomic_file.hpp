@@ -29,7 +29,7 @@ private:
 
 /// A file under a name of its own beside the final one: written there, flushed to the disk, then
 /// renamed, so that readers and a power cut see either the old file or the complete new one. A link
-/// under the final name is replaced, never followed. What is not committed is removed.
+/// under the final name is replaced, never followed. A file that is not committed is removed.
 /// Errors: UnwritableFile.
 class PendingFile {
 public:
@@ -59,7 +59,7 @@ public:
   explicit AtomicFile(std::filesystem::path path);
   ~AtomicFile();
 
-  /// Never fails: what went wrong is reported by `commit`.
+  /// Never fails: `commit` reports the errors.
   std::ostream& stream() { return stream_; }
   /// Throws UnwritableFile when anything could not be written.
   void commit();
@@ -74,7 +74,7 @@ private:
 /// Writes a whole text file at once, atomically. Throws UnwritableFile.
 void write_text_file(const std::filesystem::path& path, std::string_view text);
 
-/// Removes what killed writers left in a folder. Links are not followed.
+/// Removes the temporary files that killed writers left in a folder. Links are not followed.
 void remove_pending_files(const std::filesystem::path& folder);
 
 } // namespace ionskin::base

@@ -32,7 +32,8 @@ std::optional<Json> parse_json(std::string_view text);
 std::optional<Json> read_json(const std::filesystem::path& path, const char* what,
                               std::size_t most = largest_json);
 
-/// The same of a file that is open already, with O_NONBLOCK.
+/// Value of a JSON file that is open already, with O_NONBLOCK, as `parse_json` gives it. Throws
+/// UserError as above.
 /// @param path for the message
 std::optional<Json> read_json(const FileDescriptor& file, const std::string& path, const char* what,
                               std::size_t most = largest_json);

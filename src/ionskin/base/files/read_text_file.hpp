@@ -18,8 +18,8 @@ inline constexpr std::size_t largest_table = 64U << 20;
 std::string read_text_file(const std::string& path, const std::string& what,
                            std::size_t most = largest_table);
 
-/// The same of a file that is open already, from where it was read to. It was opened with
-/// O_NONBLOCK, or else opening a pipe would have waited.
+/// Text of an ordinary file that is open already, from its current position to its end; errors as
+/// above. The caller opened it with O_NONBLOCK: opening a pipe would wait otherwise.
 /// @param path for the message
 std::string read_text_file(const FileDescriptor& file, const std::string& path,
                            const std::string& what, std::size_t most = largest_table);

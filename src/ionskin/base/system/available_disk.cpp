@@ -21,8 +21,8 @@ AvailableDisk available_disk(const std::filesystem::path& folder) {
   }
   const std::filesystem::space_info space = std::filesystem::space(place, error);
   // /proc and the like have no size: whether they can be written shows later.
-  const bool told = !error && space.capacity > 0;
-  return {told ? static_cast<double>(space.available) : std::numeric_limits<double>::infinity(),
+  const bool known = !error && space.capacity > 0;
+  return {known ? static_cast<double>(space.available) : std::numeric_limits<double>::infinity(),
           "free below " + place.string()};
 }
 

@@ -6,7 +6,7 @@
 
 namespace ionskin::base {
 
-/// Bytes that files in a folder may take, and what bounds them, in words.
+/// Bytes that files in a folder may take, and the limit that bounds them, in words.
 struct AvailableDisk {
   double bytes = 0;
   std::string bound; ///< "free below DIR"

@@ -30,6 +30,8 @@ public:
   enum class Transfer { done, ended, late };
   /// `ended` when the child has closed its end.
   Transfer send(const void* bytes, std::size_t count);
+  /// Receives so many bytes from the child; `ended` when it has closed its end, `late` when not all
+  /// of them have come in time.
   /// @param seconds in which all of it must have come
   /// Throws Interrupted when the user asks to stop meanwhile.
   Transfer receive(void* bytes, std::size_t count, double seconds);

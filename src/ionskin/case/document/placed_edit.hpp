@@ -27,6 +27,7 @@ struct SetEdit {
   std::vector<std::string> tables_and_key() const;
 };
 
+/// Reads one argument of --set.
 /// @param argument see `apply_set_edits`
 /// Throws UserError pointing into the argument.
 SetEdit parse_set_edit(const std::string& argument);

@@ -14,11 +14,11 @@ namespace ionskin {
 /// Throws UserError with all mistakes that were found: what, where (line and caret), remedy.
 Case read_case(const std::string& path, const std::vector<std::string>& set_edits = {});
 
-/// The same, keeping where each value came from.
+/// Reads and checks a case file, and keeps where each value came from.
 CaseDocument read_case_document(const std::string& path,
                                 const std::vector<std::string>& set_edits = {});
 
-/// The same of a text.
+/// Reads and checks the text of a case file.
 /// @param path names it in messages; files that the case names are looked for in its folder
 CaseDocument read_case_text(const std::string& text, const std::string& path,
                             const std::vector<std::string>& set_edits = {});

@@ -34,6 +34,7 @@ public:
   /// @param of what all of them are found in, put before each message: "slider[1]: "
   explicit Problems(std::string of = "") : of_(std::move(of)) {}
 
+  /// Adds a mistake.
   /// @param message what is wrong, with the actual value
   /// @param pointers the offending places; two when two keys conflict; may be empty
   /// @param remedy what to do; may be empty when the message says it

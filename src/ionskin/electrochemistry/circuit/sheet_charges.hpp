@@ -17,7 +17,7 @@ struct SheetState {
   std::array<std::vector<double>, 2> charge, rate;
   double passed = 0, passed_rate = 0, voltage = 0;
 
-  /// State at rest.
+  /// State at rest, uncharged, on so many columns.
   explicit SheetState(std::size_t columns);
   /// Numbers of the state: `unpacked` takes what `packed` gives.
   static SheetState unpacked(std::span<const double> values);
@@ -25,8 +25,8 @@ struct SheetState {
   /// Number of values of a packed state on a grid with so many columns.
   static std::size_t packed_size(std::size_t columns) { return 4 * columns + 3; }
 
-  /// Half of the means over the top less those over the bottom: what comes through the leads, all
-  /// of which changes smoothly.
+  /// Half of the means over the top less those over the bottom: the charge that comes through the
+  /// leads, all of which changes smoothly.
   static double difference(const std::array<std::vector<double>, 2>& charges);
 };
 
@@ -45,6 +45,7 @@ public:
   void begin(std::span<const double> packed) { begin_ = SheetState::unpacked(packed); }
   /// Lets a stage start from the begin plus these times of the rates of begin and middle stage.
   void start(double of_begin, double of_middle);
+  /// Equations of the sheets in a stage of the step that was begun.
   /// @param implicit part of the step
   /// @param net half of the net charge per area below every column, which returns through the
   ///   ground

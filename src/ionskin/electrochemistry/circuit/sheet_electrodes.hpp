@@ -67,8 +67,8 @@ public:
   /// Change of the lead's potential with one of the potentials of the top wall.
   double lead_change(const SheetStage& stage, std::span<const double> change) const;
 
-  /// Takes from `charge` what comes to every column of a wall within the step, by its potentials
-  /// and that of its lead.
+  /// Subtracts from `charge` the charge that comes to every column of a wall within the step, by
+  /// its potentials and that of its lead.
   void take_inflow(std::size_t wall, double step, std::span<const double> potential, double lead,
                    std::span<double> charge) const;
 

@@ -51,7 +51,7 @@ public:
   void spread(std::span<const double> potentials, std::span<double> walls) const;
   /// The potentials of the conductors from those of the columns, the inverse of `spread`.
   std::vector<double> potentials(std::span<const double> walls) const;
-  /// Adds to the columns what has the given sums.
+  /// Adds to the columns a field whose sums over the conductors are these.
   void add(std::span<const double> sums, std::span<double> walls) const;
 
 private:

@@ -25,6 +25,7 @@ class ThicknessFlux {
 public:
   explicit ThicknessFlux(std::size_t columns) : difference_(columns), exponential_(columns) {}
 
+  /// Flux J between two levels, [columns], into `flux`.
   /// @param spacing d between the levels; all spans hold one value per column
   void evaluate(std::span<const double> concentration_lower,
                 std::span<const double> concentration_upper,

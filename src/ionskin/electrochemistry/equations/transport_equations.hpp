@@ -40,7 +40,7 @@ struct StageProblem {
   const SheetStage* sheets = nullptr;
 };
 
-/// Potential of the top electrode: given, or what the circuit makes of the concentrations.
+/// Potential of the top electrode: given, or solved from the circuit and the concentrations.
 double top_potential(const StageProblem& problem, const TerminalVoltage& voltage,
                      std::span<const double> concentration);
 
@@ -80,26 +80,29 @@ private:
   /// Drive of the fluxes of a state: its potential, or the sum with the excess in `drive`.
   std::span<const double> driving(const StageProblem& problem, const IonState& state,
                                   std::vector<double>& drive);
-  /// Adds what the excess makes of the concentrations to the derivatives of the flux between the
-  /// levels `interface` and `interface` + 1.
+  /// Adds the contribution of the excess chemical potential to the derivatives of the flux between
+  /// the levels `interface` and `interface` + 1.
   void add_excess(std::size_t interface, std::span<const double> concentration);
+  /// Residual of the levels from `begin` to before `end`, [2 nodes] in all, into `out`.
   /// @param potential_top of the electrode
   /// @param drive of the fluxes
   void residual_levels(const StageProblem& problem, double potential_top, const IonState& state,
                        std::span<const double> drive, std::size_t begin, std::size_t end,
                        Workspace& work, std::span<double> out) const;
+  /// Product of the derivative of the residual with a direction, for the levels from `begin` to
+  /// before `end`, into `out`.
   /// @param potential_change of the top electrode
   void jacobian_levels(std::span<const double> direction, double potential_change,
                        std::size_t begin, std::size_t end, Workspace& work,
                        std::span<double> out) const;
-  /// Adds what the circuits of the conductors ask to the charges on the walls.
+  /// Adds the equations of the conductors' circuits to the charges on the walls.
   /// @param potentials of all nodes, or their change
   /// @param from_start whether the charges that the stage starts from count
   void add_circuits(const ElectrodeStage& stage, std::span<const double> potentials,
                     bool from_start, std::span<double> charges) const;
   /// True if the potential of a wall is an unknown of each column.
   bool varies(std::size_t wall, const ElectrodeStage* electrodes, const SheetStage* sheets) const;
-  /// Takes from the charges on both walls what the metal brings.
+  /// Subtracts from the charges on both walls the charge that the metal brings.
   /// @param potentials of all nodes, or their change; of the top lead likewise
   void take_inflow(const SheetStage& stage, std::span<const double> potentials, double lead_bottom,
                    double lead_top, std::span<double> charges) const;

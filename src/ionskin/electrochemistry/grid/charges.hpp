@@ -19,6 +19,7 @@ struct WallCharges {
   double total_bottom = 0, total_top = 0; ///< sums over the columns
 };
 
+/// Charges on both walls of a state, resized to the columns.
 /// @param fixed_charge cf / c0
 void wall_charges(const ScaledGrid& grid, const IonState& state,
                   std::span<const double> fixed_charge, WallCharges& charges);

@@ -20,6 +20,7 @@ struct DerivedScales {
   double area_ratio = 1;
 };
 
+/// Scales of a core by its constants.
 /// @param core_thickness h [m]
 DerivedScales derive_scales(const Electrochemistry& electrochemistry, double core_thickness);
 

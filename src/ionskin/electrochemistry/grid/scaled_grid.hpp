@@ -47,6 +47,7 @@ struct ChargeWeights {
 /// Outside the layers e fades. The exchange conserves charge.
 ChargeWeights charge_weights(const ScaledGrid& grid, std::size_t level);
 
+/// The transport grid in units of the Debye length [m], with control volumes and charge weights.
 /// @param area_ratio true area of the interfaces over the projected one
 ScaledGrid scale_grid(const TransportGrid& grid, double debye_length, double area_ratio = 1.0);
 

@@ -22,7 +22,7 @@ struct GridResolution {
 /// The presets grade the levels alike: each is the standard one refined.
 GridResolution grid_resolution(Preset preset);
 
-/// The same grading with every spacing divided by a factor.
+/// Resolution with every spacing of `resolution` divided by `refinement` (above 0), graded alike.
 GridResolution refined(const GridResolution& resolution, double refinement);
 
 /// Nodes from 0 to `thickness` [m], symmetric: spacings grow slowly within a Debye length of both

@@ -65,7 +65,8 @@ struct IonSolution {
   std::vector<double> time; ///< [s]
   /// Charge on the metal [C]: residual of Poisson's equation at each wall, summed over the columns.
   std::vector<double> charge_top, charge_bottom;
-  /// The same by the volume formula of Ramo and Shockley, docs/model.md (27) [C].
+  /// Charge of the top electrode by the volume formula of Ramo and Shockley [rows], docs/model.md
+  /// (27) [C].
   std::vector<double> ramo_charge_top;
   /// The part of half the difference of the charges that changes smoothly at kinks of the shear,
   /// and its rate [C], [A]: the ions' part at given potentials, all of it behind a circuit. The

@@ -22,6 +22,7 @@ public:
   /// Hold of the bottom metal to the ground in the modes, per column and step.
   double hold(double step) const;
 
+  /// Factorises the correction for a step.
   /// @param answers potentials of wall a, by mode, to a unit charge on wall b: answers[a][b]
   /// @param step implicit part of it
   void invert(const std::array<std::array<std::span<const float>, 2>, 2>& answers, double step);

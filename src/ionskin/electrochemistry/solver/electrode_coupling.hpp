@@ -19,6 +19,7 @@ class ElectrodeCoupling {
 public:
   ElectrodeCoupling(const WallElectrodes& electrodes, const CosineTransform& transform);
 
+  /// Takes the admittances of the modes, which `potentials` then uses.
   /// @param admittance Y of every mode: the charge of wall a by the potential of wall b,
   ///   admittance[a][b]; empty of a wall without conductors
   void set_admittance(const std::array<std::array<std::vector<double>, 2>, 2>& admittance);

@@ -49,15 +49,16 @@ public:
   /// [nodes].
   void rate(const StageProblem& problem, const IonState& state, std::span<double> out);
 
-  /// Damps what is faster than the step in a change of the concentrations [nodes], as one implicit
-  /// Euler step of the prepared length does.
+  /// Damps the modes that are faster than the step in a change of the concentrations [nodes], as
+  /// one implicit Euler step of the prepared length does.
   /// @returns sums of the damped change over the levels, with weights [levels] each: two per column
   std::array<std::vector<double>, 2>
   damped_sums(std::span<const double> change, const std::array<std::vector<double>, 2>& weights) {
     return preconditioner_.damped_sums(change, weights);
   }
 
-  /// The same where metal has sheet resistances, whose charges are given, too.
+  /// Damps a change of the concentrations [nodes] as `damped_sums` does, and the charges of metal
+  /// that has a sheet resistance with it.
   /// @param charges per area brought to the columns of the bottom and of the top wall
   /// @returns charges that are left on them
   std::array<std::vector<double>, 2>

@@ -38,8 +38,9 @@ public:
   /// Product out = (approximate Jacobian)^-1 residual; both [2 nodes].
   void apply(std::span<const double> residual, std::span<double> out);
 
-  /// The same with the conductors of cut faces behind their circuits: in the place of the potential
-  /// of a cut wall the residual has its charge, see `StageProblem`.
+  /// Product out = (approximate Jacobian)^-1 residual, both [2 nodes], where the conductors of cut
+  /// faces stand behind circuits: in the place of the potential of a cut wall the residual has its
+  /// charge, see `StageProblem`.
   void apply(const ElectrodeStage& stage, std::span<const double> residual, std::span<double> out);
 
   /// B^T Y B of the conductors, see ElectrodeCoupling; of the state and step factorised last.
@@ -69,11 +70,11 @@ private:
   void eliminate_level(std::size_t level, std::size_t begin, std::size_t end);
   void substitute(std::size_t begin, std::size_t end);
   void forward(std::span<const double> residual);
-  /// Finds what a unit on either wall does to each mode: of its potential where that is given, else
-  /// of its charge.
+  /// Finds the response of each mode to a unit on either wall: of its potential where that is
+  /// given, else of its charge.
   void find_answers();
-  /// Adds to the modes what amounts on the walls do, by mode; none of a wall whose amounts are
-  /// empty.
+  /// Adds to the modes their response to amounts on the walls, by mode; none of a wall whose
+  /// amounts are empty.
   void add_answers(const std::array<std::vector<float>, 2>& amounts);
   /// Charge of a wall at a potential of 0, by mode.
   std::vector<float> wall_charge(std::size_t wall) const;

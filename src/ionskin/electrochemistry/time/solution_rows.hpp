@@ -41,13 +41,14 @@ public:
                const FixedCharge& fixed_charge, const std::vector<double>& landings,
                const std::vector<double>& snapshot_times, const CutElectrode* cut = nullptr);
 
+  /// Appends the row of an instant to the solution, and a snapshot where one is wanted.
   /// @param electrodes the conductors of cut faces
   /// @param row that a scan has read until this instant; nothing without one
   /// @param lead_voltage of metal with sheet resistances; nothing without
   void append(double time, const IonState& state, const Relaxation& relaxation,
               const std::vector<ElectrodeRow>& electrodes, std::optional<std::size_t> row,
               std::optional<double> lead_voltage, IonSolution& solution);
-  /// Adds what is kept for the last row only.
+  /// Adds the fields that are kept for the last row only.
   void finish(const IonState& state, IonSolution& solution);
 
 private:

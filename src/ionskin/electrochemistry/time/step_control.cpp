@@ -111,9 +111,9 @@ double StepControl::step_end(double time, double wanted) const {
   const double landing = landings_.time[next], rest = landing - time;
   // One step from landing to landing, whose error is likely to be just allowed, beats two short
   // ones.
-  const double stretch = landings_.time[next - 1] == time ? 0.9 : 0.999;
+  const double share = landings_.time[next - 1] == time ? 0.9 : 0.999;
   const double most = longest(time);
-  if (std::min(wanted / stretch, most) >= rest) {
+  if (std::min(wanted / share, most) >= rest) {
     return landing;
   }
   const double length = std::min(wanted, most);

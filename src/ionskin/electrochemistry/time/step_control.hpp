@@ -54,8 +54,8 @@ public:
   /// near, and never so that a sliver remains [s].
   double step_end(double time, double wanted) const;
   /// Length to try after a finished step [s].
-  /// @param wanted what `step_end` was asked for
-  /// @param error of the step over what is allowed
+  /// @param wanted length that `step_end` was asked for
+  /// @param error of the step over the allowed error
   double after_success(double begin, double end, double wanted, double error) const;
   /// Length to try instead of a step whose error was too large [s].
   double after_rejection(double begin, double end, double error) const;
@@ -66,7 +66,7 @@ public:
   /// Share of the errors of single columns in the error of a step from `begin`: larger on the way
   /// to a landing where the fields are kept.
   double column_share(double begin) const;
-  bool too_short(double wanted) const { return !(wanted >= rule_.shortest); } ///< or no number
+  bool too_short(double wanted) const { return !(wanted >= rule_.shortest); } ///< or not a number
 
 private:
   /// Longest step from an instant [s].
@@ -82,11 +82,11 @@ private:
 /// 1985), which is the charge over T^3.
 double relaxation_step(const StepRule& rule, const DerivedScales& scales);
 
-/// The same while the slider's edges cross the columns of the grid [s]. At either end of a crossing
-/// the fixed charge of a column has a kink, whose error is of second order in the step over the
-/// time of a crossing t: h = 0.85 t sqrt(tolerance/(0.055 share)) with the share of columns. The
-/// constant is measured on the baseline, at tolerances from 1.5e-6 to 1e-4 and shares of 0.001 and
-/// 0.01, within a third.
+/// Length of a step that the tolerance is likely to allow while the slider's edges cross the
+/// columns of the grid [s]. At either end of a crossing the fixed charge of a column has a kink,
+/// whose error is of second order in the step over the time of a crossing t: h = 0.85 t
+/// sqrt(tolerance/(0.055 share)) with the share of columns. The constant is measured on the
+/// baseline, at tolerances from 1.5e-6 to 1e-4 and shares of 0.001 and 0.01, within a third.
 /// @param crossing_time column width over speed [s]
 double crossing_step(const StepRule& rule, double crossing_time);
 

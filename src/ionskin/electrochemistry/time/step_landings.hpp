@@ -18,6 +18,7 @@ struct StepLandings {
   std::size_t behind(double instant) const;
 };
 
+/// Landings of a history, without duplicates.
 /// @param field_times where the fields are kept [s]; instants outside the history move to its ends
 /// @param switches instants within the history at which circuits change [s], which are events
 StepLandings make_step_landings(const history::CoreHistory& history,

@@ -102,7 +102,7 @@ private:
   StageProblem problem_at(double time);
   void guess_stage(const TransportState& state);
   void guess_end(const TransportState& state);
-  /// Keeps what rounding adds to the potentials of conductors, at the ground or of one column
+  /// Keeps the rounding errors of the potentials of conductors, at the ground or of one column
   /// beside another, from growing step by step.
   void restore_conductors(IonState& guess) const;
   /// Takes `safe` instead of a guess that would deplete a concentration or the room beside it.

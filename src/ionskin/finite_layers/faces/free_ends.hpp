@@ -40,11 +40,12 @@ public:
     /// [unknown, 3 row + component].
     std::array<std::vector<Eigen::MatrixXd>, 4> stress_;
   };
+  /// Forces on the rows of a grid, with the slider's centre at a place across the skin.
   /// @param centre_y of the slider [m]
   Rows rows(const ContactGrid& grid, double centre_y) const;
 
-  /// Adds to the displacement of modes what free ends do under forces given by their modes, as
-  /// `Rows::add` does for cells.
+  /// Adds to the displacement of modes the part of the free ends under forces given by their modes,
+  /// as `Rows::add` does for cells.
   /// @param forces sums over cells of force and means of the modes: normal, x, y, [m, n] [N]
   /// @param share,last as of `Rows::add`
   void add(const std::array<Eigen::MatrixXd, 3>& forces, const Eigen::ArrayXd& share, double last,
@@ -57,6 +58,7 @@ public:
     std::vector<Eigen::Index> modes_y;
     Eigen::MatrixXd nodes; ///< [node, mode n], coefficients of cosines along the end [m]
   };
+  /// Motions of the ends under forces, one for each pair of parities that occur.
   /// @param forces sums over cells of force and means of the modes: normal, x, y, [m, n] [N]
   /// @param mirrored whether even n alone occur
   /// @param on_sides stress on the sides by these forces, [even or odd n][node, m]; that by the

@@ -45,11 +45,13 @@ public:
   /// [node, 3 row + component].
   /// @param of_rows transform of the rows by `along_y`
   Eigen::MatrixXd stress(Eigen::Index mode, Parity parity, const ModeTransform& of_rows) const;
-  /// The same over forces given by their modes across the skin: [node] [N/m].
+  /// Stress that the sides on rollers feel at the nodes, [node] [N/m], under forces that are given
+  /// by their modes across the skin.
   /// @param forces sums over cells of force and mean of the mode, [mode, component] [N]
   Eigen::VectorXd stress(Eigen::Index mode, Parity parity, const Eigen::MatrixX3d& forces) const;
-  /// Adds what the modes across the skin feel of a motion of the sides that stress at the nodes
-  /// makes: the transpose of `stress`. @param displacement of the modes, [mode, component]
+  /// Adds the displacement of the modes across the skin by the motion that stress at the nodes
+  /// gives the sides: the transpose of `stress`.
+  /// @param motion of the nodes [node] @param displacement of the modes, [mode, component]
   void add_felt(Eigen::Index mode, Parity parity, const Eigen::VectorXd& motion,
                 Eigen::MatrixX3d& displacement) const;
   const ModeLine& along_y() const { return along_y_; }

@@ -25,6 +25,7 @@ public:
 
   std::size_t levels() const { return cutoffs_.size(); }
   double cutoff(std::size_t level) const { return cutoffs_[level]; }
+  /// Strain at a level over the motion of a wave, by cubic interpolation.
   /// @param logarithm of the wave number over 1/m
   Values at(std::size_t level, double logarithm) const;
 

@@ -16,6 +16,7 @@ struct FaceMotion {
   std::vector<FreeEnds::Motion> ends;
 };
 
+/// Motion of the faces of a skin under forces.
 /// @param forces sums over cells of force and means of the modes, [m, n]: normal, x, y [N]
 /// @param mirrored whether even n alone occur
 FaceMotion face_motion(const FieldSkin& skin, const std::array<Eigen::MatrixXd, 3>& forces,

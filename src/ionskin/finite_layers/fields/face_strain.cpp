@@ -105,8 +105,8 @@ std::vector<WaveSplit> smooth_waves(double last) {
   return result;
 }
 
-/// The same for places further away from both faces than the reach of the shorter waves, with the
-/// share of each mode in the longer ones, docs/model.md (52).
+/// Means of modes across the skin over places further away from both faces than the reach of the
+/// shorter waves, with the share of each mode in the longer ones, docs/model.md (52).
 ModeTransform smooth_means(const std::vector<Interval>& places, double across, Parity parity,
                            const WaveSplit& smooth) {
   const double first = parity == Parity::even ? 0 : 0.5, step = 2 * std::numbers::pi / across;

@@ -33,6 +33,7 @@ public:
     }
   }
 
+  /// Chosen components whose fields along x are of one kind.
   /// @param kind 0: cosines along x, 1: sines
   const std::vector<std::size_t>& of_kind(std::size_t kind) const { return of_kind_[kind]; }
   Eigen::Index count(std::size_t kind) const {

@@ -11,7 +11,7 @@ namespace ionskin::finite_layers {
 
 struct FieldFaces;
 
-/// A skin whose fields are asked for. What it points to outlives them.
+/// A skin whose fields are asked for. Its pointers outlive them.
 struct FieldSkin {
   std::vector<ElasticLayer> layers;        ///< bottom to top
   std::size_t core = 0;                    ///< index of the core; all others are electrodes

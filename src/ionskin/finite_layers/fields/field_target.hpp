@@ -22,7 +22,7 @@ struct PlaneBox {
   double length = 0, width = 0;
 };
 
-/// Strain at some levels, with what is tabulated for them.
+/// Strain at some levels, with the tables for them.
 class FieldTarget {
 public:
   FieldTarget(const FieldSkin& skin, FieldLevels levels, const ComponentChoice& components);
@@ -41,6 +41,7 @@ public:
   void add_waves(const PlaneWaves& waves, const std::vector<WaveLoads>& loads,
                  const std::vector<PlaneBox>& boxes, const std::vector<FieldPlaces>& places,
                  const RowStrains* known, std::vector<ByKind>& sums) const;
+  /// Strains at places along y by unit forces on rows of cells.
   /// @param rows of cells, [row, n]
   /// @param y places
   RowStrains row_strains(const PlaneWaves& waves, const PlaneBox& box, const ModeTransform& rows,

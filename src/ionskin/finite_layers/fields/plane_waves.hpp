@@ -54,6 +54,7 @@ public:
 
   /// Modes along x of a wave number of at most `last`, for a mode along y.
   Eigen::Index modes_below(double last, Eigen::Index n) const;
+  /// Reads a block of waves at a level from the table.
   /// @param first_m,n modes along x, of which a block is looked up, and along y
   void look_up(const DepthTable& table, std::size_t level, Eigen::Index first_m, Eigen::Index n,
                WaveBlock& block) const;
@@ -63,7 +64,8 @@ public:
   void add(const DepthTable& table, std::size_t level, const FieldComponents& components,
            const std::vector<WaveLoads>& loads, const std::vector<WavePlaces>& places,
            std::vector<ByKind>& sums) const;
-  /// The same where the sums along y are the same for all of them.
+  /// Adds the strain of states at a level, at their places, as above, where the sums along y are
+  /// alike for all states and known.
   void add(const RowStrains& known, const DepthTable& table, std::size_t level,
            const std::vector<WaveLoads>& loads, const std::vector<WavePlaces>& places,
            std::vector<ByKind>& sums) const;

@@ -4,7 +4,7 @@
 namespace ionskin::finite_layers {
 
 /// States that are turned into strains at once, fewer filled up by others that are 0: each state is
-/// the same bits in any company. What makes strains of forces does not fit the caches of a
+/// the same bits in any company. The operator from forces to strains does not fit the caches of a
 /// processor and is read once for all of them.
 inline constexpr int states_at_once = 8;
 

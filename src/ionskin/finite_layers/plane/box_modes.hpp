@@ -23,8 +23,10 @@ struct ModeLine {
   Eigen::ArrayXd wave_numbers; ///< [1/m]
   Eigen::ArrayXd weights;      ///< 1 for m = 0 and 2 beyond, over the extent [1/m]
 
+  /// Modes of a direction up to a wave number.
   /// @param last largest wave number [1/m]
   static ModeLine up_to(double extent, double last);
+  /// Means of the modes over the cells between lines, with the slider at a place.
   /// @param lines of cells from the slider's centre [m]
   /// @param centre of the slider [m]
   ModeTransform transform(const std::vector<double>& lines, double centre) const;

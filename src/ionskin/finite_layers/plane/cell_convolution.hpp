@@ -22,7 +22,7 @@ bool is_even(const ContactGrid& grid);
 /// where they lie, so that products are convolutions.
 class CellConvolution {
 public:
-  /// @param grid even
+  /// @param grid of even cells, see `is_even`
   explicit CellConvolution(const ContactGrid& grid);
 
   /// Adds the compliance of a body whose images act, as `plane_compliance` has it.

@@ -16,6 +16,7 @@ public:
 
   /// [wave along y, wave along x], of the second those up to half of the columns.
   using Spectrum = Eigen::ArrayXXcd;
+  /// Transform of a field that fills the first columns and rows.
   /// @param field [column, row], of the first of them; others are 0
   Spectrum forward(const Eigen::MatrixXd& field) const;
   /// The first columns and rows of a field.

@@ -17,7 +17,7 @@
 
 namespace ionskin::finite_layers {
 
-/// Key of a box of layers: all that makes it what it is.
+/// Key of a box of layers: every property that distinguishes it.
 struct LayerBoxKey {
   std::vector<ElasticLayer> layers; ///< bottom to top
   std::size_t core = 0;             ///< index of the layer

@@ -26,7 +26,7 @@ enum class ComplianceForm { matrix, products };
 /// once; the compliance of the cells follows for any place of the slider. Thread-safe.
 class LayeredSkin {
 public:
-  /// @param threads that make what no skin before had made
+  /// @param threads that compute the parts that no skin before has computed
   /// @param form in which the compliance of the cells is asked for
   LayeredSkin(const Skin& skin, ContactGrid grid, const SkinResolution& resolution, int threads = 1,
               ComplianceForm form = ComplianceForm::matrix);
@@ -48,9 +48,11 @@ public:
     FreeEnds::Rows ends_;
     Eigen::MatrixXd alike_; ///< the part that does not depend on the place along the skin [m/N]
   };
+  /// The skin with the slider's centre at a place across it.
   /// @param centre_y of the slider [m]; the skin outlives the result
   Across across(double centre_y) const;
 
+  /// Strains within the skin, at some heights, under forces on the cells.
   /// @param heights,column,components,across as of SkinFields; the skin outlives the result
   SkinFields fields(const std::vector<double>& heights, double column,
                     const ComponentChoice& components = all_components,

@@ -19,6 +19,7 @@ public:
       : first_(first), inverse_step_(1 / step), values_(std::move(values)) {}
 
   bool empty() const { return values_.size() == 0; }
+  /// The four functions at a place, by interpolation.
   /// @param place between the first and the last node
   Values at(double place) const {
     const double steps = (place - first_) * inverse_step_;

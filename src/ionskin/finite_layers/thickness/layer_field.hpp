@@ -17,7 +17,8 @@ using LayerHeight = std::optional<double>;
 Eigen::Matrix4d plane_strain_field(const ElasticLayer& layer, double wave_number,
                                    LayerHeight height);
 
-/// The same across the wave, in the rows U_t, U_t', over U_t of the bottom and of the top.
+/// Displacement inside a layer across the wave, and its slope upwards [1/m], in the rows U_t, U_t',
+/// over U_t of the bottom and of the top.
 Eigen::Matrix2d antiplane_field(const ElasticLayer& layer, double wave_number, LayerHeight height);
 
 } // namespace ionskin::finite_layers

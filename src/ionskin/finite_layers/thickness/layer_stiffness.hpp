@@ -18,7 +18,8 @@ namespace ionskin::finite_layers {
 /// @returns tractions on the bottom (along, upwards) and the top over their displacements [Pa/m]
 Eigen::Matrix4d plane_strain_stiffness(const ElasticLayer& layer, double wave_number);
 
-/// The same across the wave, U_t cos(k r): traction on the bottom and the top over displacement.
+/// Stiffness of a layer across the wave, U_t cos(k r): traction on the bottom and the top over
+/// their displacement [Pa/m].
 struct AntiplaneStiffness {
   double own = 0;   ///< of a face over its own displacement [Pa/m]
   double other = 0; ///< over that of the other face, negative [Pa/m]

@@ -10,7 +10,7 @@ namespace ionskin::finite_layers {
 /// A finite element through a part of the thickness: polynomials through Gauss-Lobatto nodes, with
 /// the Gauss-Legendre points at which products of them are integrated exactly.
 struct LobattoElement {
-  /// @param size [m]
+  /// Element of a degree of its polynomials, at least 1, and a size along the thickness [m].
   LobattoElement(int degree, double size);
 
   LobattoElement scaled_to(double size) const;

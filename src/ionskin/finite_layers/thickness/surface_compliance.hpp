@@ -21,7 +21,8 @@ struct WaveCompliance {
 /// @param wave_number above 0 [1/m]
 WaveCompliance wave_compliance(const std::vector<ElasticLayer>& layers, double wave_number);
 
-/// The same for tractions that do not vary along the face: normal and shear of a column.
+/// Compliance of layers on a rigid base, bottom to top, under tractions that do not vary along the
+/// face: normal and shear of a column.
 WaveCompliance uniform_compliance(const std::vector<ElasticLayer>& layers);
 
 /// Compliance of the half-space of one material, times the wave number [1/Pa], docs/model.md (51).
@@ -33,6 +34,7 @@ class SurfaceCompliance {
 public:
   explicit SurfaceCompliance(std::vector<ElasticLayer> layers);
 
+  /// Compliance at a wave number, by interpolation.
   /// @param wave_number 0 or above [1/m]
   WaveCompliance at(double wave_number) const;
   /// Compliance of short waves, times the wave number: that of the half-space of the top layer

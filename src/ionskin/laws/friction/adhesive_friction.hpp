@@ -7,9 +7,9 @@
 
 namespace ionskin::laws {
 
-/// Faces that stick to each other along the normal by a cohesive zone, and Coulomb's law on what
-/// presses of their normal traction: |t| <= mu max(p, 0), where p < 0 is a pull. Friction on the
-/// compression alone as in cohesive models with friction (Raous, Cangemi and Cocou 1999,
+/// Faces that stick to each other along the normal by a cohesive zone, and Coulomb's law on the
+/// pressing part of their normal traction: |t| <= mu max(p, 0), where p < 0 is a pull. Friction on
+/// the compression alone as in cohesive models with friction (Raous, Cangemi and Cocou 1999,
 /// doi 10.1016/S0045-7825(98)00389-2, at rest of the bond). On a sphere its pull-off force tends to
 /// that of Johnson, Kendall and Roberts 1971, doi 10.1098/rspa.1971.0141, as the strength grows.
 struct AdhesiveFriction {

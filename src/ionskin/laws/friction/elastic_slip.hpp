@@ -29,6 +29,7 @@ struct ElasticStep {
   double kept_by_normal = 0; ///< derivative of `kept` by the normal traction, twice that of `taken`
 };
 
+/// Change of the elastic slip and of the limit over a step.
 /// @param at its slip increment is of no account
 ElasticStep elastic_step(const Friction& friction, const ElasticSlip& before,
                          const FrictionArguments& at);

@@ -28,6 +28,7 @@ struct FrictionTrial {
   ElasticSlip elastic{};       ///< at the begin of the step
 };
 
+/// Traction of a cell behind a step, with its derivatives.
 /// @param slips takes for granted that the cell slips: its traction is at the limit, to where it is
 /// lengthened if need be
 FrictionResponse return_mapping(const Friction& friction, const FrictionTrial& trial,

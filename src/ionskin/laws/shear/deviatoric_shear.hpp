@@ -13,6 +13,7 @@ namespace ionskin::laws {
 struct DeviatoricShear {
   static constexpr const char* formula = "sqrt(2 e':e') of the deviator e' (whatever the axes)";
   static constexpr std::array<bool, 6> reads{true, true, true, true, true, true};
+  /// The measure of a strain [1].
   /// @param strain xx, yy, zz, yz, xz, xy [1]
   static double at(const std::array<double, 6>& strain);
 };

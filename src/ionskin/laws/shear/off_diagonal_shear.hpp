@@ -12,6 +12,7 @@ namespace ionskin::laws {
 struct OffDiagonalShear {
   static constexpr const char* formula = "2 sqrt(exy^2 + eyz^2 + exz^2)";
   static constexpr std::array<bool, 6> reads{false, false, false, true, true, true};
+  /// The measure of a strain [1].
   /// @param strain xx, yy, zz, yz, xz, xy [1]
   static double at(const std::array<double, 6>& strain);
 };

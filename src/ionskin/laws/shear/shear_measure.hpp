@@ -14,6 +14,7 @@ struct ShearMeasure {
   std::string_view name;     ///< value of `coupling.measure`
   std::string_view formula;  ///< in words and components of the strain e
   std::array<bool, 6> reads; ///< components that it depends on: others are not computed for it
+  /// The measure of a strain [1].
   /// @param strain xx, yy, zz, yz, xz, xy [1]
   double (*at)(const std::array<double, 6>& strain);
 };

@@ -13,6 +13,7 @@ namespace ionskin::laws {
 struct SignedXzShear {
   static constexpr const char* formula = "2 exz with its sign";
   static constexpr std::array<bool, 6> reads{false, false, false, false, true, false};
+  /// The measure of a strain [1].
   /// @param strain xx, yy, zz, yz, xz, xy [1]
   static double at(const std::array<double, 6>& strain);
 };

@@ -11,7 +11,7 @@
 
 namespace ionskin::live {
 
-/// White noise of an instrument on the currents of an environment. What it is follows from the seed
+/// White noise of an instrument on the currents of an environment. Its values follow from the seed
 /// and from how many steps were taken with it.
 struct CurrentNoise {
   double deviation = 0; ///< of each current [A]
@@ -29,11 +29,12 @@ public:
     const Value* positions = nullptr; ///< [environment][x, y] [m]
     bool is_force = false;
     const Value* loads = nullptr;           ///< [environment] [N], or height [m]
-    std::span<const std::uint32_t> columns; ///< signals that are told
+    std::span<const std::uint32_t> columns; ///< signals that are written
     Value* signals = nullptr;               ///< [environment][column]
     std::uint32_t* flags = nullptr;         ///< [environment]
     const Value* angles = nullptr; ///< [environment][roll, pitch, yaw] [rad]; null: upright
-    /// [environment][36], as Skin::stiffness tells it; of a refused environment NaN. Null: not told
+    /// [environment][36], as Skin::stiffness gives it; of a refused environment NaN. Null: not
+    /// written
     double* stiffness = nullptr;
   };
 
@@ -45,8 +46,8 @@ public:
   std::size_t environments() const { return states_.size(); }
   const std::vector<std::string>& names() const { return workers_.front().lanes.front().names(); }
 
-  /// Steps the environments from `first` to before `last`. Workers may step at once what does not
-  /// overlap. Takes no memory.
+  /// Steps the environments from `first` to before `last`. Workers may step ranges that do not
+  /// overlap at the same time. Takes no memory.
   template <class Value>
   void step(std::size_t worker, std::size_t first, std::size_t last,
             const Step<Value>& step) noexcept;
@@ -55,6 +56,7 @@ public:
   /// worker steps.
   void reset(std::size_t environment) noexcept;
   std::span<const double> state(std::size_t environment) const { return states_[environment]; }
+  /// Takes up a state of an environment that `state` gave.
   /// @returns whether it is a state of such a skin; if not nothing changes
   bool restore(std::size_t environment, std::span<const double> state) noexcept;
   /// Takes memory. @returns whether it is within the trained range; if not nothing changes

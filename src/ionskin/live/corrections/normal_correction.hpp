@@ -9,7 +9,7 @@ namespace ionskin::live {
 
 /// Newton's step for the normal forces of the cells that touch, dense and without pivots: the
 /// normal compliance is positive definite, and friction adds little to it. Single precision, since
-/// sweeps follow that tell what is left. Nothing is allocated after construction.
+/// sweeps follow that take the remaining residual. Nothing is allocated after construction.
 class NormalCorrection {
 public:
   explicit NormalCorrection(std::size_t cells);
@@ -21,8 +21,10 @@ public:
   /// for a unit normal force, and its friction, on cell j, before `factor`.
   void take(std::span<const std::size_t> cells) noexcept;
   std::span<float> column(std::size_t j) noexcept { return {matrix_.data() + j * count_, count_}; }
+  /// Factorises the matrix of the columns that were filled.
   /// @returns false when the matrix is none of a contact; it is forgotten then
   bool factor() noexcept;
+  /// Solves for the forces on the cells, in place.
   /// @param values displacements in, forces out
   void solve(std::span<float> values) const noexcept;
 

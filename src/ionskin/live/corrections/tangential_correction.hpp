@@ -11,8 +11,8 @@ namespace ionskin::live {
 /// Newton's step for the tangential forces of the cells that touch, by conjugate gradients: along
 /// each direction in which friction lets a cell's force follow its slip, the surfaces move until
 /// the slip is what the law allows. Sweeps by themselves need hundreds where a soft slider sticks.
-/// Single precision, since sweeps follow that tell what is left. Nothing is allocated after
-/// construction.
+/// Single precision, since sweeps follow that take the remaining residual. Nothing is allocated
+/// after construction.
 class TangentialCorrection {
 public:
   explicit TangentialCorrection(std::size_t cells);
@@ -39,7 +39,7 @@ public:
       into[j] += from.stiffening;
     }
   }
-  /// Solves; then `change(i)` is what the force of `cell(i)` takes.
+  /// Solves; then `change(i)` is the change of the force of `cell(i)` [N].
   void solve() noexcept;
   /// Factors the compliance, for many right sides. @returns false when it is none of a contact
   bool factor() noexcept;

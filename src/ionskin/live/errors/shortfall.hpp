@@ -11,7 +11,7 @@ namespace ionskin::live {
 /// of the signal within such events [1].
 inline constexpr double promised_error = 0.1;
 
-/// Moment below which one is none: what rounding and sweeps leave of a moment that symmetry forbids
+/// Largest moment that counts as 0: rounding and sweeps leave so much of one that symmetry forbids
 /// [N m].
 double least_moment(const SkinData& data);
 

@@ -11,7 +11,7 @@
 
 namespace ionskin::live::fmu {
 
-/// Handle of an importer: an instance, and how to tell it what went wrong.
+/// Handle of an importer: an instance, and the callback that receives its error messages.
 struct Component {
   Component(std::string name, const fmi2CallbackFunctions& functions, SkinData data)
       : instance_name(std::move(name)), callbacks(functions), instance(std::move(data)) {}
@@ -31,7 +31,7 @@ inline constexpr const char* warning_category = "logStatusWarning";
 /// Tells the importer of an error. @returns fmi2Error
 fmi2Status fail(const Component& component, const char* message);
 
-/// Tells the importer of what it should know, and goes on. @returns fmi2Warning
+/// Hands the importer a warning. @returns fmi2Warning
 fmi2Status warn(const Component& component, const char* message);
 
 /// Calls `body` with the component, when there is one.

@@ -90,7 +90,7 @@ fmi2Status fmi2SetReal(fmi2Component component, const fmi2ValueReference referen
       }
       *input = values[i];
       if (references[i] == reference::friction && instance.limit_friction()) {
-        status = warn(known, "friction is outside the trained range, which its description tells: "
+        status = warn(known, "friction is outside the trained range, which its description states: "
                              "the nearest trained one is taken");
       }
     }

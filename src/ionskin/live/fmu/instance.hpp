@@ -50,9 +50,10 @@ public:
 
   /// Size of a state, in numbers.
   std::size_t state_size() const;
-  /// @param state [state_size()]
+  /// Copies the state, for `restore`. @param state [state_size()]
   void save(std::span<double> state) const;
-  /// @returns whether it is one of such a skin; if not nothing changes
+  /// Takes up a state that `save` gave.
+  /// @returns true if it is a state of such a skin; if not, nothing changes
   bool restore(std::span<const double> state);
 
 private:

@@ -120,7 +120,7 @@ typedef struct ionskin_live_batch {
   const void* values;      /* [environment] */
   void* signals;           /* [environment][column] */
   uint32_t* flags;         /* [environment] */
-  const uint32_t* columns; /* signals that are told [column_count] */
+  const uint32_t* columns; /* signals that are written [column_count] */
   size_t column_count;
   int kind; /* IONSKIN_LIVE_HEIGHT or IONSKIN_LIVE_FORCE */
   int single;

@@ -71,6 +71,7 @@ public:
     throw std::out_of_range("the skin has no signal " + name);
   }
 
+  /// Steps the skin to an instant, with the slider at a place and a height or under a force.
   /// @param time [s], that of the last step or later
   /// @param position of the slider's centre [m]
   /// @returns the signals, which the next step replaces
@@ -101,7 +102,7 @@ public:
 
   /// Numbers of a state.
   std::size_t state_size() const noexcept { return ionskin_live_state_size(handle_.get()); }
-  /// @param state [state_size()]
+  /// Copies the state, for `restore`. @param state [state_size()]
   void save(double* state) const noexcept { ionskin_live_save(handle_.get(), state); }
   /// Takes up a state of a skin of the same file, kept in `size` numbers; time may go back by it.
   /// @returns whether it is one: its size fits, and every number is finite and within what a step

@@ -35,13 +35,14 @@ struct LeftAtPlace {
   Eigen::MatrixXf fields; ///< on the cells that stay [level][y][x], sample
 };
 
-/// Modes of what is left, and a regression of them on the values for each place.
+/// Modes of the residual, and a regression of them on the values for each place.
 struct FixedModes {
   Eigen::MatrixXd field;            ///< [level][y][x], mode
   std::vector<std::size_t> parity;  ///< of the modes
   std::vector<Eigen::MatrixXd> fit; ///< of each place [mode][point]
 };
 
+/// Modes of the remainders at all places, most important first, and their fit.
 /// @param measure with the areas of the cells that stay
 /// @param size of the cells along x, y, z
 /// @param whole norm of the whole fields in the measure

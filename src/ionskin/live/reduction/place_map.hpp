@@ -9,8 +9,8 @@
 
 namespace ionskin::live {
 
-/// Largest norm of a mode that is left out of what changes with the place, over the norm of the
-/// mean.
+/// Truncation: largest norm of a mode that is left out of the part that changes with the place,
+/// over the norm of the mean.
 inline constexpr double negligible_place_mode = 1e-5;
 
 /// Values at the nodes as a mean and the modes that are larger than a part of it.

@@ -14,8 +14,9 @@ struct PlaceNodes {
   std::vector<double> x, y; ///< ascending; one where the slider stays
 };
 
-/// Chebyshev points of a rectangle of places, its borders among them: what lies under the slider is
-/// smooth in its place, and their polynomial errs by a part of 0.24 to the power of their number.
+/// Chebyshev points of a rectangle of places, its borders among them: the skin's answer under the
+/// slider is smooth in its place, and their polynomial errs by a part of 0.24 to the power of their
+/// number.
 PlaceNodes place_nodes(const Skin& skin, const MotionBox& box);
 
 } // namespace ionskin::live

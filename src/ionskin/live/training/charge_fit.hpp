@@ -9,7 +9,7 @@
 
 namespace ionskin::live {
 
-/// One region's charges in a run of the full model, and what drove them.
+/// One region's charges in a run of the full model, and the inputs that drove them.
 struct ChargeRecord {
   std::vector<double> time;                  ///< [rows]
   std::vector<double> drive;                 ///< [row][input]

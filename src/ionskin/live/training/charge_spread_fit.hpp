@@ -14,10 +14,12 @@ namespace ionskin::live {
 /// differences. No weights.
 SpreadMap all_waves(const FullRun& run);
 
-/// Records what some waves bring into each taxel, in the records of the taxels of the same run.
+/// Records of the charge that some waves bring into each taxel, in the records of the taxels of the
+/// same run.
 void record_spread(const FullRun& run, const SpreadMap& map, std::vector<ChargeRecord>& records);
 
-/// Square of what each wave brings into the taxels, over the time and all of them [C2 s].
+/// Square of the charge that each wave brings into the taxels, over the time and all of them [C2
+/// s].
 std::vector<double> wave_energies(const FullRun& run, const SpreadMap& map);
 
 /// Records of all runs, one after the other.

@@ -22,12 +22,13 @@ struct FullRun {
   electrochemistry::IonSolution ions;
 };
 
+/// Runs the full model along a motion. Throws SolverError where it has no solution.
 /// @param motion in place of the case's
 /// @param footprint of an earlier run with the same loads; empty to find it
 FullRun full_run(const Case& input, const Motion& motion,
                  const std::optional<mesh::Footprint>& footprint, const TrainingOptions& options);
 
-/// The charges of the whole electrode, or of the taxels, and what drove them: integrals of the
+/// The charges of the whole electrode, or of the taxels, and their inputs: integrals of the
 /// driving channel over the area, by level; where the law knows the mean over the core also those
 /// of the whole core times the region's share of it.
 std::vector<ChargeRecord> charge_records(const FullRun& run, bool of_taxels);

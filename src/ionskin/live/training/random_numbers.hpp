@@ -6,7 +6,8 @@
 
 namespace ionskin::live {
 
-/// The same numbers on every machine, which the distributions of the library need not give.
+/// Random numbers that are alike on every machine; the distributions of the standard library need
+/// not be.
 class Random {
 public:
   explicit Random(std::uint64_t seed) : engine_(seed) {}

@@ -36,7 +36,7 @@ Motion random_touches(const TouchRange& range, std::size_t count, std::uint64_t 
 /// Instants at which the slider begins to come down for each touch of such a motion [s].
 std::vector<double> landings(const Motion& motion);
 
-/// The same path with a row at each of the first milliseconds behind every corner in contact: the
+/// A path with rows added at each of the first milliseconds behind every corner in contact: the
 /// full model then takes steps that end where a loop steps, while its own would be longer.
 Motion with_rows_behind_corners(const Motion& motion);
 

@@ -16,7 +16,7 @@ void AdhesiveSteps::step(const MotionLeg& leg, const LegLevels& levels, double f
                          int depth, const PassedSink& passed) {
   const bool shortest = depth == halvings_of_jump;
   // A slider that a force moves stands where the skin carries it, or where it let go.
-  const double told = shortest ? passed({from, levels.height(from), true}) : 0;
+  const double height_before = shortest ? passed({from, levels.height(from), true}) : 0;
   const SlidingContact::Moment before = contact().moment();
   const double energy = contact().energy();
   bool solved = false;
@@ -38,7 +38,7 @@ void AdhesiveSteps::step(const MotionLeg& leg, const LegLevels& levels, double f
   const bool jumps = contact().may_have_jumped();
   const double height = passed({to, levels.height(to), jumps});
   if (jumps) {
-    loss_ += work_on_skin(before.state, contact().state(), told - height) -
+    loss_ += work_on_skin(before.state, contact().state(), height_before - height) -
              (contact().energy() - energy);
   }
 }

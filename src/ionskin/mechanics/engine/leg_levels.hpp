@@ -30,6 +30,7 @@ struct LegLevels {
   bool leaves() const { return end < 1; }
 };
 
+/// Levels of the load on a leg that the contact is about to take.
 /// @param place of the slider at the end, as far as it is known [m]
 LegLevels leg_levels(const MotionLeg& leg, const SlidingContact& contact,
                      const std::array<double, 2>& place, double meshed_share);

@@ -16,6 +16,7 @@ struct PassedStep {
   std::optional<double> height = {};
   bool required = false; ///< before and behind what may be a jump
 };
+/// Receiver of every step that was passed.
 /// @returns the height of the slider that was reported [m]
 using PassedSink = std::function<double(const PassedStep&)>;
 

@@ -43,7 +43,7 @@ public:
   PathThinning(const ThinningTolerance& tolerance, Sink sink);
   /// An instant not later than the last takes its place unless one of both is required.
   void add(Instant instant);
-  /// Keeps the last.
+  /// Keeps the last instant; called once, at the end of the path.
   void finish();
 
 private:

@@ -39,7 +39,7 @@ double total_force(const CellVector& force, std::size_t component) {
   return sum;
 }
 
-/// The same contact as a slider has that yields: to the cells it is one more compliance, alike for
+/// A contact problem with a slider that yields: to the cells it is one more compliance, alike for
 /// all of them, docs/model.md (39).
 ContactProblem yielding_problem(const ContactProblem& problem,
                                 const std::array<double, 2>& compliance) {

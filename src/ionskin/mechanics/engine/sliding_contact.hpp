@@ -54,7 +54,8 @@ public:
   const SurfaceState& step(double time_step, const std::array<double, 2>& place,
                            const SliderLoad& load, const shapes::Pose& pose = {});
 
-  /// The same with a slider that yields along the skin; where it comes to be is `place()`. The
+  /// Moves a slider that yields along the skin; `place()` is then its place. Throws SolverError
+  /// when the contact has no solution; then nothing has moved. The
   /// compliance of the skin is that of the place where it was expected, and friction that lags
   /// follows the speed of slip, continued from the step before, to the end of the step.
   const SurfaceState& step_yielding(double time_step, const SliderGuide& guide,
@@ -97,6 +98,7 @@ public:
   struct OnsetDistance {
     double left = 0, whole = 0;
   };
+  /// Distance to full slip from the present state.
   /// @param slip,time_step of the way to come, which friction may depend on [m], [s]
   OnsetDistance onset_distance(const std::array<double, 2>& direction, bool half_model, double slip,
                                double time_step) const;

@@ -23,6 +23,7 @@ public:
                  std::shared_ptr<parallel::SpareThreads> spare = nullptr)
       : recovery_(std::move(recovery)), threads_(threads), spare_(std::move(spare)) {}
 
+  /// Adds the state of a slider's centre [m] and forces on the cells [3 cells] [N].
   /// @returns the place of the state
   std::size_t add(const std::array<double, 2>& centre, CellVector force);
   std::size_t count() const { return centres_.size(); }

@@ -22,6 +22,7 @@ struct ForcePath {
   Instant at(double time) const;
 };
 
+/// Forces on the cells along the path of a solution.
 ForcePath force_path(const ContactSolution& solution);
 
 /// Largest difference of the forces at the instants of `now` from those of another path on the same

@@ -16,6 +16,7 @@ struct ContactReach {
   std::array<double, 2> extent{}; ///< [m]
   std::array<bool, 2> border{};
 
+  /// Widens the reach by the cells that carry a load.
   /// @param lines edges of the cells along x and y, from the slider's centre [m]
   /// @param load of each cell, x fastest, of any unit; every `stride`th value
   void include(const std::array<std::span<const double>, 2>& lines, std::span<const double> load,

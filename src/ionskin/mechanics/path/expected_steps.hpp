@@ -16,6 +16,7 @@ struct ExpectedSteps {
   std::size_t across = 0;
   double of_places = 0; ///< sum over those taken of what the place of each costs
 };
+/// Estimate of the steps along the motion of a case, without solving it.
 /// @param cost of a step with the slider's centre at so much along the skin [m]
 ExpectedSteps expected_steps(const Case& input, const std::function<double(double x)>& cost = {});
 

@@ -53,10 +53,11 @@ public:
   /// @param model outlives this
   explicit ContactCompliance(const SkinModel& model) : model_(&model) {}
 
+  /// Compliance with the slider at a place, as a matrix.
   /// @param place of the slider's centre [m]
   /// @param result resized, [3 cells, 3 cells], symmetric [m/N]
   void at(const std::array<double, 2>& place, Eigen::MatrixXd& result);
-  /// The same in the form of the model.
+  /// Puts the compliance at a place into a contact problem, in the form that the model has.
   void at(const std::array<double, 2>& place, ContactProblem& problem);
 
 private:

@@ -16,6 +16,7 @@ struct FineFeatures {
   std::array<double, 2> cell_size{}; ///< [m]
 };
 
+/// Departure of a slider's underside from planes within the cells of a contact.
 /// @param lines_x,lines_y cell edges from the slider's centre [m]
 /// @param depth below which the underside reaches, from its lowest point [m]
 FineFeatures fine_features(const Slider& slider, const std::vector<double>& lines_x,

@@ -20,8 +20,8 @@ SliderFace slider_face(const Slider& slider);
 /// normal and tangential parts are mixed with the opposite sign of those of a skin below.
 inline constexpr double mixed_of_slider = -1;
 
-/// Compliance of a soft slider under forces between it and the cells, docs/model.md (36): what is
-/// to be added to the compliance of the skin. The slider is a half-space, or a layer of its
+/// Compliance of a soft slider under forces between it and the cells, docs/model.md (36): the part
+/// that is added to the compliance of the skin. The slider is a half-space, or a layer of its
 /// material on a rigid body, docs/model.md (37). Empty for a rigid slider. On a half grid the
 /// mirrored forces act, too.
 /// @return [3 cells, 3 cells], symmetric [m/N]

@@ -36,7 +36,7 @@ private:
 std::vector<double> mean_gap(const Slider& slider, const std::vector<double>& lines_x,
                              const std::vector<double>& lines_y,
                              const std::array<bool, 2>& reflect);
-/// The same in another pose.
+/// Means of the gap of a slider in a pose, over the cells of a tensor grid, x fastest [m].
 std::vector<double> mean_gap(const Slider& slider, const shapes::Pose& pose,
                              const std::vector<double>& lines_x, const std::vector<double>& lines_y,
                              const std::array<bool, 2>& reflect);

@@ -8,7 +8,7 @@
 
 namespace ionskin::mechanics {
 
-/// State of an adhesive contact before a step, on which it depends what it is behind it.
+/// State of an adhesive contact before a step, on which the state after the step depends.
 struct AdhesiveStart {
   CellVector force;            ///< [N]
   std::vector<double> opening; ///< of the cells [m]

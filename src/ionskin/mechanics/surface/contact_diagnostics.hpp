@@ -17,6 +17,7 @@ struct ContactViolations {
   double largest() const;
 };
 
+/// Violations of the laws of contact and friction by a state, relative to the scales.
 /// @param reference_force,preload scales: largest normal force of a cell, indentation at full load
 /// [N], [m]
 ContactViolations contact_violations(const ContactProblem& problem, const SurfaceState& state,

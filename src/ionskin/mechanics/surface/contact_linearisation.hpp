@@ -47,7 +47,8 @@ public:
   Eigen::VectorXd about_inverse(const Eigen::VectorXd& right) const;
   /// One step of Newton's method. @param factor of the matrix, or of one like it
   void correct(const Eigen::PartialPivLU<Eigen::MatrixXd>& factor, Iterate& iterate) const;
-  /// The same by products. @param reduction of the residual of the linear equations
+  /// One step of Newton's method by GMRES, without a matrix.
+  /// @param reduction of the residual of the linear equations
   void correct_by_products(double reduction, Iterate& iterate);
 
 private:

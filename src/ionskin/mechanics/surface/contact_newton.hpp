@@ -21,6 +21,7 @@ enum class Patience { usual, much };
 /// stick and slip and the residual falls fast enough.
 class ContactNewton {
 public:
+  /// Solves for the equilibrium behind a step.
   /// @param iterate start on entry, such as the state before; the solution on return when converged
   /// @returns whether it converged, to 1e-10 of the largest normal force, and with adhesion to an
   /// equilibrium that can last

@@ -56,9 +56,9 @@ struct ContactProblem {
   /// Gap over the skin as it is without forces on the cells [m], and the least of any cell.
   double free_gap(int cell) const;
   double least_free_gap() const;
-  /// C f.
+  /// Displacement C f of the cells by forces on them [m].
   CellVector own_displacement(const CellVector& force) const;
-  /// The same with the displacement by other sliders.
+  /// Displacement of the cells by forces on them and by other sliders [m].
   CellVector surface_displacement(const CellVector& force) const;
   /// Largest tangential force of a cell under a normal force, along x, and its derivative [N], [1].
   double friction_limit(int cell, double normal_force, double slip, double time_step) const;

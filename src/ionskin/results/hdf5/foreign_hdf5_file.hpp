@@ -41,6 +41,7 @@ public:
   std::vector<double> read(const std::string& dataset) const;
   std::string read_text(const std::string& dataset) const;
   std::vector<std::string> read_texts(const std::string& dataset) const;
+  /// Reads one frame of a dataset that was written frame by frame.
   /// @param values is resized to one frame
   void read_frame(const std::string& dataset, std::size_t frame, std::vector<double>& values) const;
   std::optional<std::string> text_attribute(const std::string& object,
@@ -48,7 +49,7 @@ public:
   std::optional<double> number_attribute(const std::string& object, const std::string& name) const;
 
 private:
-  /// The size of what was found, which is then received; nothing where nothing is.
+  /// The size of the object that was found, which is then received; none where nothing was found.
   std::optional<std::uint64_t> ask(Hdf5Question question, const std::string& object,
                                    const std::string& name = "", std::uint64_t expected_bytes = 0,
                                    std::uint64_t frame = 0) const;

@@ -57,6 +57,7 @@ public:
   /// Removes an object if it is there.
   void remove(const std::string& object);
 
+  /// Writes numbers as a new dataset.
   /// @param shape of row-major `values`; empty for one dimension
   void write(const std::string& dataset, const std::vector<double>& values, Shape shape = {});
   void write(const std::string& dataset, const std::vector<int>& values);
@@ -75,6 +76,7 @@ public:
                    const std::vector<double>& values);
   /// Writes the compressed bytes of an earlier frame again.
   void repeat_frame(const std::string& dataset, std::size_t source, std::size_t frame);
+  /// Reads one frame of a dataset of frames.
   /// @param values is resized to one frame
   void read_frame(const std::string& dataset, std::size_t frame, std::vector<double>& values) const;
 

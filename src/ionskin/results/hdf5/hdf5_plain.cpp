@@ -156,7 +156,7 @@ void require_plain_storage(hid_t dataset, const std::filesystem::path& path,
   const Hdf5Handle properties(H5Dget_create_plist(dataset), H5Pclose, read_failure(path, object));
   const H5D_layout_t layout = H5Pget_layout(properties);
   if (layout == H5D_VIRTUAL) {
-    refuse(path, object, "is a virtual dataset, whose values stand in other files",
+    refuse(path, object, "is a virtual dataset, whose values are in other files",
            "copy its values into the file itself");
   }
   if (layout != H5D_COMPACT && layout != H5D_CONTIGUOUS && layout != H5D_CHUNKED) {

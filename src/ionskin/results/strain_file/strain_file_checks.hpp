@@ -15,6 +15,7 @@ class StrainFileChecks {
 public:
   explicit StrainFileChecks(std::string file) : file_(std::move(file)) {}
 
+  /// Throws UserError with the file, the problem and the remedy.
   /// @param problem a clause about the file, @param remedy what the user can do
   [[noreturn]] void fail(const std::string& problem, const std::string& remedy) const;
 

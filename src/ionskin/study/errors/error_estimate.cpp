@@ -195,7 +195,7 @@ std::vector<NamedPair> mechanics_pairs(const MechanicsRecord& mechanics) {
   return pairs;
 }
 
-/// The same with those of Study 2; `own_run` is the run itself.
+/// Error estimates with those of Study 2; `own_run` is the run itself.
 std::vector<NamedPair> all_pairs(const MechanicsRecord& mechanics) {
   std::vector<NamedPair> pairs = mechanics_pairs(mechanics);
   pairs.push_back({parts::transport_grid, own_run, grid_run});

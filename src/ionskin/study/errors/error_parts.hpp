@@ -35,8 +35,8 @@ double safety(const std::string& part, const std::string& quantity);
 
 /// Reason that a metric whose estimate is NaN or infinite has none.
 inline constexpr const char* not_a_number = "its estimate is not a number";
-/// Likewise of what few readings at the onset of sliding tell, of which a coarser solution may have
-/// fewer than it takes: no defect, and no warning.
+/// Reason that a metric from few readings at the onset of sliding has no estimate: a coarser
+/// solution may have fewer of them than it takes. No defect, and no warning.
 inline constexpr const char* too_few_readings =
     "a coarser solution has too few readings of the onset for it";
 

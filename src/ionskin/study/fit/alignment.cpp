@@ -99,7 +99,7 @@ Alignment refined(const FitData& data, const electrochemistry::IonSolution& ions
   constexpr int most_parts = 128, parts_of_row = 64, bits = 26;
   const double sign = about.correlation < 0 ? -1 : 1;
   const auto likeness = [&](double shift) { return sign * correlation_at(data, ions, shift); };
-  // A charge that jumps within one row is told by a small part of it.
+  // A charge that jumps within one row shows in a small part of it.
   const double interval =
       (data.time.back() - data.time.front()) / static_cast<double>(data.time.size());
   const int parts =
@@ -126,7 +126,7 @@ Alignment best_alignment(const FitData& data, const electrochemistry::IonSolutio
   const double length = std::max(span, data.time.back() - data.time.front()) / cells_of_longer;
   const Cells cells = data_cells(data, begin, length);
   std::vector<double> signal = run_cells(data, ions, length);
-  double step = length; // between lags that are told apart
+  double step = length; // between lags that are compared
   if (is_mean(data)) {
     const std::vector<double> starts = interval_starts(data, begin);
     std::vector<double> intervals;

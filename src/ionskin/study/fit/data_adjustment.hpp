@@ -21,7 +21,7 @@ struct DataAdjustment {
   double& of(std::string_view key);
 };
 
-/// "data.time_shift" and so on: what a fit may free beside the keys of a case.
+/// "data.time_shift" and so on: the keys of the record that a fit may free beside those of a case.
 const std::vector<std::string>& data_keys();
 bool is_data_key(std::string_view key);
 /// Unit of such a key for data in `unit`.
@@ -32,7 +32,8 @@ std::string data_key_unit(std::string_view key, const std::string& unit);
 std::vector<double> predict(const FitData& data, const electrochemistry::IonSolution& ions,
                             const DataAdjustment& adjustment);
 
-/// The same of a record that departs by its clock alone.
+/// Record that a run would leave, one entry per row, on a clock that is late by `time_shift` [s]
+/// and without any other departure.
 std::vector<double> predict_shifted(const FitData& data, const electrochemistry::IonSolution& ions,
                                     double time_shift);
 

@@ -24,7 +24,6 @@ constexpr double gain_tolerance = 1e-7, step_tolerance = 1e-5; // relative
 constexpr int most_iterations = 50;
 constexpr int most_shortened = 12;   // trials of one step that lead too far, or to no solution
 constexpr double search_ends = 5e-5; // so close to the optimum, in a unit of a coordinate
-constexpr double untold = 1e6;       // an interval of such a factor either way tells nothing
 
 /// Tells the progress and ends the fit on an interrupt.
 class Watch : public ceres::IterationCallback {
@@ -99,8 +98,8 @@ void drop_late_rows(FitData& data, double end, std::vector<std::string>& warning
   const auto kept = static_cast<std::size_t>(std::ranges::upper_bound(data.time, end + interval) -
                                              data.time.begin());
   if (kept < rows) {
-    warnings.push_back(fmt::format("{} of {} rows lie behind the end of the run and are left out.",
-                                   rows - kept, rows));
+    warnings.push_back(fmt::format(
+        "{} of {} rows are later than the end of the run and are left out.", rows - kept, rows));
     data.time.resize(kept);
     data.values.resize(kept);
   }
@@ -150,7 +149,7 @@ FittedParameter fitted(const FitParameter& parameter, double value, double scale
   }
   const double size = std::abs(value);
   const bool held = size <= parameter.lowest * (1 + 1e-6) || size >= parameter.highest * (1 - 1e-6);
-  if (!(half_width < std::log(untold))) {
+  if (!(half_width < std::log(undetermined_factor))) {
     const double unknown = std::numeric_limits<double>::quiet_NaN();
     return {parameter, value, unknown, unknown, held};
   }
@@ -186,8 +185,8 @@ FitResult summarise(FitModel& model, const FitData& data, const Misfit& misfit,
                result.statistics.quantile * result.statistics.log_error[i] + search_ends));
     if (result.parameters.back().at_bound) {
       result.warnings.push_back(
-          fmt::format("{} = {:.6g} is at the end of its range: its interval says nothing.", keys[i],
-                      values[i]));
+          fmt::format("{} = {:.6g} is at the end of its range: its interval has no meaning.",
+                      keys[i], values[i]));
     }
   }
   const auto more = fit_warnings(result.statistics, keys);

@@ -30,7 +30,7 @@ struct FitResult {
   std::vector<std::string> warnings;
 };
 
-/// Receiver of what a user should know while the fit goes on.
+/// Receiver of notes for the user while the fit runs.
 using FitNote = std::function<void(const std::string&)>;
 
 /// Drops rows that the run cannot answer. Throws UserError when the case has no such signal, the
@@ -53,7 +53,7 @@ FitResult fit(FitModel& model, FitData& data, const base::ProgressCallback& prog
 std::string fit_json_text(const FitResult& result, const FitModel& model, const FitData& data,
                           double seconds);
 
-/// `ionskin fit`.
+/// Question of `ionskin fit`: a case, measured data, and the keys that are free.
 struct FitRequest {
   std::string case_text, case_path; ///< the path names it and anchors the files it names
   std::vector<std::string> set_edits;

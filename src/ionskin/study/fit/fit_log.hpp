@@ -34,6 +34,7 @@ public:
   /// on.
   explicit FitLog(results::OutputFolder& folder);
 
+  /// The evaluation at a point, if it is in the log.
   /// @param point values of the free keys [SI]
   std::optional<FitAnswer> find(const std::vector<double>& point) const;
   void add(const std::vector<double>& point, const FitAnswer& answer);

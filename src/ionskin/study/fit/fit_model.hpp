@@ -58,7 +58,8 @@ public:
   /// First and last instant of the run [s].
   std::pair<double, double> span();
 
-  /// Every answer from now on goes into the log, and what stands there is not solved again.
+  /// Every solution from now on goes into the log, and values that are in the log are not solved
+  /// again.
   /// @param log must outlive the model's answers
   void keep_answers_in(FitLog& log) { log_ = &log; }
 

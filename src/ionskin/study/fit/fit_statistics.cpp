@@ -16,6 +16,9 @@ constexpr double ill_conditioned = 1e3;     // above it the combination that is 
 constexpr double strong_correlation = 0.95; // above it two estimates trade against each other
 constexpr double hardly_determined = 0.5;   // half width of an interval, relative
 constexpr double noise_deviations = 4;      // of the lag correlation of noise
+// Share of the variance below which residuals are rounding of the data and of the solution: 1e-4 of
+// a signal, far below what a mesh leaves.
+constexpr double negligible_share = 1e-8;
 
 Eigen::VectorXd vector(const std::vector<double>& values) {
   return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
@@ -104,12 +107,14 @@ FitStatistics fit_statistics(const std::vector<double>& values,
 std::vector<std::string> fit_warnings(const FitStatistics& statistics,
                                       const std::vector<std::string>& keys) {
   std::vector<std::string> warnings;
-  if (!(statistics.condition_number < ill_conditioned)) {
+  if (keys.size() > 1 && !(statistics.condition_number < ill_conditioned)) {
     warnings.push_back(fmt::format(
-        "The data do not tell all free keys apart (condition number {:.2g}): {} may change with "
-        "almost no trace in the data. Fix one of these keys, or measure something that depends on "
-        "them otherwise.",
-        statistics.condition_number, combination(statistics, keys)));
+        "The data cannot distinguish all free keys{}: {} may change with almost no trace in the "
+        "data. Fix one of these keys, or measure something that depends on them otherwise.",
+        std::isfinite(statistics.condition_number)
+            ? fmt::format(" (condition number {:.2g})", statistics.condition_number)
+            : "",
+        combination(statistics, keys)));
   }
   for (std::size_t i = 0; i < keys.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
@@ -120,18 +125,21 @@ std::vector<std::string> fit_warnings(const FitStatistics& statistics,
       }
     }
     const double half_width = statistics.quantile * statistics.log_error[i];
-    if (keys[i].starts_with("data.")) {
-      if (!std::isfinite(half_width)) {
-        warnings.push_back(fmt::format("The data do not fix {}.", keys[i]));
-      }
-    } else if (!(half_width < hardly_determined)) {
+    const bool of_data = keys[i].starts_with("data."); // not a factor: its coordinate is linear
+    const double undetermined =
+        of_data ? std::numeric_limits<double>::infinity() : std::log(undetermined_factor);
+    if (!(half_width < undetermined)) {
+      warnings.push_back(
+          fmt::format("The data do not fix {}: they say nothing of its size.", keys[i]));
+    } else if (!of_data && half_width >= hardly_determined) {
       warnings.push_back(fmt::format("The data hardly fix {}: its 95 % interval spans a factor of "
                                      "{:.3g} either way.",
                                      keys[i], std::exp(half_width)));
     }
   }
   const double rows = static_cast<double>(statistics.degrees_of_freedom + keys.size());
-  if (std::abs(statistics.lag_correlation) > noise_deviations / std::sqrt(rows)) {
+  if (1 - statistics.explained > negligible_share &&
+      std::abs(statistics.lag_correlation) > noise_deviations / std::sqrt(rows)) {
     warnings.push_back(fmt::format(
         "Neighbouring residuals are correlated by {:.2f}: they are not noise, the model does not "
         "describe all of the data, and the intervals are too narrow.",

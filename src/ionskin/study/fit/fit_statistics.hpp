@@ -9,6 +9,9 @@ namespace ionskin::study {
 /// Derivatives of every row of the data by the logarithm of each parameter, [parameter][row].
 using Jacobian = std::vector<std::vector<double>>;
 
+/// Factor from an estimate to an end of its interval from which on the data say nothing of it.
+inline constexpr double undetermined_factor = 1e6;
+
 /// Statistics of the parameters from residuals and derivatives at the optimum, in linear theory
 /// with independent normal errors of one unknown size.
 struct FitStatistics {
@@ -27,6 +30,7 @@ struct FitStatistics {
   std::vector<double> weakest;
 };
 
+/// Statistics of a fit at its optimum.
 /// @param values the data
 /// @param residuals data minus model, more than there are parameters
 FitStatistics fit_statistics(const std::vector<double>& values,

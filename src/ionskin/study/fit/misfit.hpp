@@ -37,7 +37,7 @@ public:
   /// it before any solution is sought there.
   void accept(const std::vector<double>& coordinates) { accepted_ = coordinates; }
 
-  /// Throws again what an evaluation met.
+  /// Rethrows the exception that an evaluation met, if any.
   void rethrow() const;
   bool failed() const { return failure_ != nullptr; }
 

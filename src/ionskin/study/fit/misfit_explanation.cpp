@@ -99,8 +99,8 @@ std::string clipping(const FitData& data, const std::vector<double>& signal, boo
 /// @param variance sum of squares of the data about their mean
 std::string outlying_rows(const FitData& data, const std::vector<double>& fitted, double left,
                           double variance) {
-  constexpr double told = 0.05, most_of_it = 0.8, few = 0.03;
-  if (!(left > told * variance)) {
+  constexpr double worth_naming = 0.05, most_of_it = 0.8, few = 0.03;
+  if (!(left > worth_naming * variance)) {
     return "";
   }
   std::vector<std::pair<double, double>> squares; // with the time

@@ -24,7 +24,7 @@ struct ImpedanceOptions {
   std::string command; ///< for the manifest
 };
 
-/// A spectrum and what was said of it.
+/// A spectrum and its warnings.
 struct ImpedanceOutcome {
   std::filesystem::path folder;
   std::vector<std::string> warnings;

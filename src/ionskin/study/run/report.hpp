@@ -17,10 +17,10 @@ namespace ionskin::study {
 std::optional<std::string> make_report(const std::filesystem::path& folder, bool figures,
                                        const PythonProgress& progress);
 
-/// The same for the figures of an impedance spectrum.
+/// Draws the figures of an impedance spectrum. @return as of `make_report`
 std::optional<std::string> draw_impedance(const std::filesystem::path& folder);
 
-/// The same for the figure of a fit.
+/// Draws the figure of a fit. @return as of `make_report`
 std::optional<std::string> draw_fit(const std::filesystem::path& folder);
 
 } // namespace ionskin::study

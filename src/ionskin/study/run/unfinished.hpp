@@ -20,8 +20,8 @@ void keep_unfinished_contact(const Case& input, const RunOptions& options,
                              const std::optional<mechanics::ContactSolution>& path,
                              const SolverError& error, double start, RunFolder& folder);
 
-/// The same where the ion transport gave up: its signals as far as they go, and the figures of
-/// Study 1, which is finished.
+/// Leaves the results of a run whose ion transport gave up: its signals as far as they go, and the
+/// figures of Study 1, which is finished.
 /// @param ions until then; null where there is nothing of them
 void keep_unfinished_ions(const Case& input, const RunOptions& options,
                           const MechanicsRecord& mechanics,

@@ -115,7 +115,8 @@ constexpr std::array always_read{
     "peak_mean_shear",           "peak_voltage",           "rms_voltage",
     "peak_open_circuit_voltage", "peak_taxel_voltage",     "peak_sampled_taxel_current",
     "peak_amplifier_current"};
-// Likewise while the circuit keeps the electrodes at one potential; else little current flows.
+// A warning is left out, too, while the circuit keeps the electrodes at one potential; else little
+// current flows.
 constexpr std::array read_as_current{"peak_sampled_current_difference", "rms_current_difference",
                                      "tail_current_difference"};
 

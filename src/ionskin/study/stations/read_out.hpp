@@ -29,14 +29,14 @@ struct Signals {
 Signals read_out(const Case& input, const MechanicsRecord& mechanics,
                  const electrochemistry::IonSolution& ions, int threads);
 
-/// The same signals without figures, for an ion transport that did not come to its end.
+/// Signals of both studies without figures, for an ion transport that did not come to its end.
 Signals read_out_rows(const Case& input, const MechanicsRecord& mechanics,
                       const electrochemistry::IonSolution& ions, int threads);
 
 /// Study 1 alone, one row per sample of the strain history; charges and currents stay empty.
 Signals read_out_mechanics(const Case& input, const MechanicsRecord& mechanics, int threads);
 
-/// The same without figures, for a contact that did not come to its end.
+/// Signals of Study 1 alone without figures, for a contact that did not come to its end.
 Signals read_out_mechanics_rows(const Case& input, const MechanicsRecord& mechanics, int threads);
 
 /// Figures that are audited: those of the signals, and the largest shear of a contact, which takes

@@ -20,6 +20,7 @@ struct SampleNoise {
   double total() const;
 };
 
+/// Noise of one reading of the instrument of a case, by its sources.
 /// @param peak of the sampled signal [A] or [V]; 0 for a converter in any range
 /// @param record length of the run [s]
 SampleNoise sample_noise(const Case& input, double peak, double record);

@@ -15,8 +15,8 @@ namespace ionskin::study {
 void write_checkpoint(const std::filesystem::path& path, const std::string& input_hash,
                       const electrochemistry::IonCheckpoint& checkpoint);
 
-/// Reads it back; empty when there is none, when it is damaged or of another build, or when it
-/// belongs to another case.
+/// Reads a checkpoint back; empty when there is none, when it is damaged or of another build, or
+/// when it belongs to another case.
 std::optional<electrochemistry::IonCheckpoint> read_checkpoint(const std::filesystem::path& path,
                                                                const std::string& input_hash);
 

@@ -182,7 +182,7 @@ private:
                     "write a header with units, such as: time [s],current_difference [A]");
     }
     if (std::ranges::count(titles_, name, &Title::name) > 1) {
-      table_.refuse(fmt::format("the column {} stands twice", name), "keep one of them");
+      table_.refuse(fmt::format("the column {} appears twice", name), "keep one of them");
     }
     return static_cast<std::size_t>(found - titles_.begin());
   }
@@ -250,7 +250,7 @@ private:
       if (measured == data.values.back()) { // the same row again
         return;
       }
-      table_.refuse(fmt::format("the time {} {} stands twice, with {} and now with {}", row[time],
+      table_.refuse(fmt::format("the time {} {} appears twice, with {} and now with {}", row[time],
                                 titles_[time].unit, last_, row[value]),
                     "average the values of one time, or drop all rows of it but one");
     }

@@ -35,7 +35,7 @@ std::string taxel_of(const std::string& column);
 /// @param known columns that the case can be compared with
 /// @param column which one to take; may be empty when the file holds one that is known
 /// Throws UserError with the line when the file cannot be read, a column or a unit is missing or
-/// unknown, an entry is no number, or the time does not ascend.
+/// unknown, an entry is not a number, or the time does not ascend.
 FitData read_fit_data(const std::filesystem::path& path, const FitColumns& known,
                       const std::string& column = "");
 

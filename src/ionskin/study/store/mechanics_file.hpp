@@ -17,7 +17,8 @@ void write_mechanics(const std::filesystem::path& path, const std::string& hash,
                      const MechanicsRecord& record,
                      const base::ProgressCallback& progress = base::no_progress);
 
-/// Reads it back; empty when the file is not there or holds the mechanics of another case.
+/// Reads the mechanics of a case back; empty when the file is not there or holds the mechanics of
+/// another case.
 std::optional<MechanicsRecord> read_mechanics(const std::filesystem::path& path,
                                               const std::string& hash, const Skin& skin);
 

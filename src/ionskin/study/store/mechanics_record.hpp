@@ -52,8 +52,8 @@ struct SliderRecord {
 struct MechanicsRecord : SliderRecord {
   history::CoreHistory history;
   std::vector<SliderRecord> further_sliders; ///< of a case with several
-  /// The same without maps on coarser meshes, by name (mechanics/coarser_solutions.hpp): they give
-  /// the errors. Empty where those have no solution, and with a given strain.
+  /// Mechanics on coarser meshes, without maps, by name (mechanics/coarser_solutions.hpp): they
+  /// give the errors. Empty where those have no solution, and with a given strain.
   std::map<std::string, std::shared_ptr<const MechanicsRecord>> coarser_solutions;
 
   bool has_contact() const { return !normal_force.empty(); }

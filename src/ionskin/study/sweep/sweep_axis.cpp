@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 
@@ -80,6 +82,26 @@ std::vector<Number> parse_numbers(const std::string& argument,
   return numbers;
 }
 
+/// True of a range as other programs write it: "0.1..0.5", "0.1-0.5", "0.1 to 0.5".
+bool is_foreign_range(const std::string& value) {
+  double first = 0;
+  const auto [end, status] = std::from_chars(value.data(), value.data() + value.size(), first);
+  if (status != std::errc()) {
+    return false;
+  }
+  const std::string rest = base::trimmed(std::string_view(end, value.data() + value.size()));
+  const auto begins_number = [&rest](std::size_t place) {
+    const std::string behind =
+        base::trimmed(std::string_view(rest).substr(std::min(place, rest.size())));
+    return !behind.empty() &&
+           (std::isdigit(static_cast<unsigned char>(behind[0])) != 0 || behind[0] == '-');
+  };
+  const std::size_t dots = rest.find("..");
+  return (dots != std::string::npos && begins_number(dots + 2)) ||
+         (rest.starts_with('-') && begins_number(1)) ||
+         (rest.starts_with("to ") && begins_number(3));
+}
+
 std::vector<std::string> steps(const std::string& argument, const std::vector<Number>& range) {
   const double first = range[0].value, step = range[1].value, last = range[2].value;
   const double count = step == 0 ? -1 : (last - first) / step;
@@ -130,6 +152,9 @@ SweepAxis parse_axis(const std::string& argument) {
   for (const std::string& value : axis.values) {
     if (value.empty()) {
       refuse(argument, "a value is missing");
+    }
+    if (is_foreign_range(value)) {
+      refuse(argument, fmt::format("\"{}\" is not a range", base::shown(value)));
     }
   }
   return axis;

@@ -17,8 +17,8 @@ PointState read_point_state(const std::filesystem::path& points, const SweepPoin
                             Studies studies);
 
 /// Where points are solved, inside the sweep's folder: nobody sees a point's folder under `points`
-/// before it is whole. A second process that does the same work has a place of its own; what one
-/// that was killed left is taken up by the next on the same machine.
+/// before it is whole. A second process that does the same work has a place of its own; the points
+/// that a killed process left are taken over by the next on the same machine.
 class StagingPlace {
 public:
   /// @param work names what is done, such as "batch-0003"
@@ -39,7 +39,7 @@ private:
   results::PathLock lock_;
 };
 
-/// Publishes what stands whole in staging places that nobody works in: points that came from
+/// Publishes finished points in staging places that no process works in: points that came from
 /// another machine, and those of killed processes.
 /// @param clear removes the rest, which a repeated batch would take up
 void settle_staging(const std::filesystem::path& sweep, const SweepPlan& plan, Studies studies,

@@ -23,7 +23,7 @@ struct MechanicsGroup {
 std::vector<MechanicsGroup> mechanics_groups(const std::vector<SweepPoint>& points);
 
 /// Memory of the contact solutions of so many friction coefficients that are solved at once
-/// [bytes]; what does not fit is solved one after another.
+/// [bytes]; coefficients that do not fit are solved one after another.
 double solutions_memory(const Case& input, std::size_t solutions);
 
 /// Solves Study 1 of the given points and leaves it in their folders, where `run_case` takes it up.

@@ -90,12 +90,12 @@ void SweepWork::fail(std::size_t point, const std::string& reason) {
   const SweepPoint& failed = plan_.points[point];
   RunOptions options = options_;
   options.folder /= failed.name;
-  const std::string told =
+  const std::string message =
       without_staging(reason, options.folder.string(),
                       std::string(results::file_names::points) + "/" + failed.name);
-  RunFolder(failed.input, options).fail(told);
+  RunFolder(failed.input, options).fail(message);
   place_.publish(failed, options_.studies);
-  record_.settle(point, {PointStatus::failed, told, {}});
+  record_.settle(point, {PointStatus::failed, message, {}});
 }
 
 } // namespace ionskin::study

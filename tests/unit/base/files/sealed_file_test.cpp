@@ -33,7 +33,7 @@ TEST(SealedFile, NoticesEveryChangedByteAndEveryCut) {
   EXPECT_EQ(check_seal(path), SealState::damaged);
 }
 
-TEST(SealedFile, OfAnotherBuildIsToldApart) {
+TEST(SealedFile, OfAnotherBuildIsDistinguished) {
   const ScratchFolder folder;
   const auto path = folder / "file";
   write_all(path, "content");

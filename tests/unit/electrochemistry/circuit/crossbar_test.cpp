@@ -154,7 +154,7 @@ TEST(Crossbar, NetChargeReturnsThroughTheGround) {
   EXPECT_NEAR(passed, 0, 1e-11 * std::abs(on_metal));
 }
 
-TEST(Crossbar, CrosstalkTellsWhichReadingsTellCrossingsApart) {
+TEST(Crossbar, CrosstalkShowsWhichReadingsDistinguishCrossings) {
   const auto crosstalk = [](const Case& input) {
     return taxel_crosstalk(input, slide_onset_history()).value();
   };

@@ -28,7 +28,7 @@ TEST(FitStatistics, OfAStraightLine) {
   EXPECT_NEAR(statistics.explained, 1 - 0.072 / 10.072, 1e-12);
 }
 
-TEST(FitStatistics, KeysThatCannotBeToldApartAreNamed) {
+TEST(FitStatistics, KeysThatCannotBeDistinguishedAreNamed) {
   const std::vector<double> data = {1, 2, 3, 4, 5}, noise = {0.01, -0.02, 0.01, 0.02, -0.01};
   const auto same = fit_statistics(data, noise, {{1, 2, 3, 4, 5}, {1, 2, 3, 4, 5}});
   EXPECT_TRUE(std::isinf(same.log_error[0]) && std::isinf(same.log_error[1]));
@@ -36,10 +36,28 @@ TEST(FitStatistics, KeysThatCannotBeToldApartAreNamed) {
   ASSERT_FALSE(warnings.empty());
   EXPECT_NE(warnings[0].find("a.first^"), std::string::npos) << warnings[0];
   EXPECT_NE(warnings[0].find("b.second^"), std::string::npos) << warnings[0];
+  for (const std::string& warning : warnings) {
+    EXPECT_EQ(warning.find("inf"), std::string::npos) << warning;
+  }
 
   const auto one_without_trace = fit_statistics(data, noise, {{1, 2, 3, 4, 5}, {0, 0, 0, 0, 0}});
   EXPECT_TRUE(std::isfinite(one_without_trace.log_error[0]));
   EXPECT_TRUE(std::isinf(one_without_trace.log_error[1]));
+}
+
+TEST(FitStatistics, DataWithoutTraceOfAKeyNameNoFactor) {
+  const std::vector<double> data = {1, 2, 3, 4, 5.1}, noise = {0.1, -0.1, 0.1, -0.1, 0.05};
+  const double least = 1e-9; // a trace, of which exp(half width) overflows
+  for (const double trace : {0.0, least}) {
+    const auto warnings =
+        fit_warnings(fit_statistics(data, noise, {{trace, -trace, trace, trace, 0}}), {"a.key"});
+    ASSERT_FALSE(warnings.empty());
+    EXPECT_NE(warnings[0].find("do not fix a.key"), std::string::npos) << warnings[0];
+    for (const std::string& warning : warnings) {
+      EXPECT_EQ(warning.find("inf"), std::string::npos) << warning;
+      EXPECT_EQ(warning.find("e+"), std::string::npos) << warning;
+    }
+  }
 }
 
 TEST(FitStatistics, GoodDataRaiseNoWarningAndAWrongModelDoes) {
@@ -57,6 +75,12 @@ TEST(FitStatistics, GoodDataRaiseNoWarningAndAWrongModelDoes) {
   const auto warnings = fit_warnings(fit_statistics(data, wrong, {level, slope}), {"a", "b"});
   ASSERT_EQ(warnings.size(), 1u);
   EXPECT_NE(warnings[0].find("not noise"), std::string::npos);
+
+  // A fit to the signals of a run: what is left is rounding, whatever its course.
+  for (double& residual : wrong) {
+    residual *= 1e-5;
+  }
+  EXPECT_TRUE(fit_warnings(fit_statistics(data, wrong, {level, slope}), {"a", "b"}).empty());
 }
 
 } // namespace

@@ -46,7 +46,7 @@ TEST(RunFolder, RefusesToResumeAnotherCase) {
   EXPECT_THROW(RunFolder(with_text("b"), options), UserError);
 }
 
-TEST(RunFolder, RefusesATakenFolderUnlessTold) {
+TEST(RunFolder, RefusesATakenFolderUnlessAsked) {
   const results::ScratchFolder scratch;
   auto options = in(scratch);
   { const RunFolder folder(with_text("a"), options); }

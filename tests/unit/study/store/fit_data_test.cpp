@@ -77,10 +77,10 @@ TEST_F(FitDataFile, AsProgramsLeaveThem) {
     EXPECT_EQ(data.values, (std::vector<double>{2, 4})) << text;
   }
   const std::string twice = refusal("time [s],current_top [A]\n1,2\n1,3\n");
-  EXPECT_NE(twice.find("1 s stands twice, with 2 and now with 3"), std::string::npos) << twice;
+  EXPECT_NE(twice.find("1 s appears twice, with 2 and now with 3"), std::string::npos) << twice;
   EXPECT_NE(twice.find("data.csv:3"), std::string::npos) << twice;
   EXPECT_NE(twice.find("average"), std::string::npos) << twice;
-  EXPECT_NE(refusal("time [s],current_top [A],current_top [A]\n1,2,3\n").find("stands twice"),
+  EXPECT_NE(refusal("time [s],current_top [A],current_top [A]\n1,2,3\n").find("appears twice"),
             std::string::npos);
 }
 

@@ -32,6 +32,8 @@ TEST(SweepAxis, ListsRespectQuotesAndBrackets) {
   EXPECT_EQ(parse_axis("slider.size=[3 mm, 1 mm],[2 mm, 1 mm]").values,
             (Texts{"[3 mm, 1 mm]", "[2 mm, 1 mm]"}));
   EXPECT_EQ(parse_axis("numerics.preset=coarse").values, Texts{"coarse"});
+  EXPECT_EQ(parse_axis("a=-1e-3,2 m/s,1e-5 m2").values, (Texts{"-1e-3", "2 m/s", "1e-5 m2"}));
+  EXPECT_EQ(parse_axis("motion.file=1/../path.csv").values, Texts{"1/../path.csv"});
 }
 
 TEST(SweepAxis, TwoEndsAreAnInterval) {
@@ -45,7 +47,8 @@ TEST(SweepAxis, TwoEndsAreAnInterval) {
 
 TEST(SweepAxis, NamesWhatIsWrong) {
   for (const char* argument : {"contact.friction", "=1", "a=", "a=1,,2", "a=1:0:2", "a=1:1:0",
-                               "a=1:2:3:4", "a=2:1", "a=x:1:2", "a=0:1e-9:1"}) {
+                               "a=1:2:3:4", "a=2:1", "a=x:1:2", "a=0:1e-9:1", "a=0.1..0.5",
+                               "a=0.1-0.5", "a=1 to 2", "a=1 - 2", "a=1 mm..2 mm"}) {
     const auto message = results::message_of<UserError>([&] { parse_axis(argument); });
     EXPECT_NE(message.find(argument), std::string::npos) << argument << ": " << message;
     EXPECT_NE(message.find("  = write"), std::string::npos) << argument;
