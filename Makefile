@@ -79,13 +79,17 @@ check: check-sources build
 	@scripts/check_threads.sh threads $(JOBS)
 	@/usr/bin/python3 scripts/run_tests.py check
 
-check-long: setup-all check
-	@cmake --build --preset release --target benchmarks --parallel $(JOBS)
+# A step that fails does not keep the next from being seen. The steps hold those of `check`.
+check-long: setup-all check-sources build
+	@cmake --build --preset release --target unit_tests benchmarks --parallel $(JOBS)
+	@cmake --preset sanitize
 	@cmake --build --preset sanitize-long --parallel $(JOBS)
-	@/usr/bin/python3 scripts/run_tests.py sanitize-long
-	@scripts/fuzz.sh 60
-	@scripts/check_threads.sh threads-long $(JOBS)
-	@/usr/bin/python3 scripts/run_tests.py long
+	@failed=; \
+	for step in "/usr/bin/python3 scripts/run_tests.py check" "/usr/bin/python3 scripts/run_tests.py long" \
+	    "/usr/bin/python3 scripts/run_tests.py sanitize-long" "scripts/fuzz.sh 60" "scripts/check_threads.sh threads-long $(JOBS)"; do \
+	  echo "== $$step"; $$step || failed="$$failed; $$step"; \
+	done; \
+	test -z "$$failed" || { echo "failed: $${failed#; }" >&2; exit 1; }
 
 # Every source by itself: the release and the sanitizers compile several together, where a missing include does not show.
 separate: setup-check

@@ -3,17 +3,20 @@
 """Measurements on wet ionic polymers beside what ionskin says of them: runs cases/evidence at `coarse` and prints the
 rows of the page "Model against measurement".
 
-    /usr/bin/python3 benchmarks/evidence.py build/ionskin [--json FILE]
+    /usr/bin/python3 benchmarks/evidence.py build/ionskin [--json FILE] [--check]
+
+With --check it ends with 1 where a row says something else than the page does.
 """
 
 import argparse
 import dataclasses
 import json
 import math
+import sys
 import tempfile
 from pathlib import Path
 
-from evidence_rows import EXPERIMENTS, two_decays, two_laws
+from evidence_rows import EXPERIMENTS, departures, two_decays, two_laws
 from evidence_runs import Runs
 
 
@@ -21,6 +24,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("program", type=Path, help="the ionskin program")
     parser.add_argument("--json", type=Path, metavar="FILE", help="write the rows to this file")
+    parser.add_argument("--check", action="store_true", help="end with 1 where a row says something else than the page does")
     options = parser.parse_args()
     rows = []
     with tempfile.TemporaryDirectory() as work:
@@ -37,6 +41,8 @@ def main():
         numbers = [{name: None if isinstance(value, float) and math.isnan(value) else value
                     for name, value in dataclasses.asdict(row).items()} for row in rows]
         options.json.write_text(json.dumps({"largest_error": runs.largest_error, "rows": numbers, "two_laws": laws, "two_decays": decays}, indent=1) + "\n", encoding="utf-8")
+    if options.check and (wrong := [*departures(rows)]):
+        sys.exit("\n".join(wrong))
 
 
 if __name__ == "__main__":

@@ -238,3 +238,44 @@ def two_decays(runs):
 
 
 EXPERIMENTS = (cations, held_bend, swinging_bend, sealed_stack, permeation, cartilage, pressed_pad, gel, not_comparable)
+# What each row said when the prose of its page was written, docs/generate/evidence.py, and its number where it has one.
+STANDS = {
+    "Order of the cations": ("agrees", None),
+    "A held bend decays": ("agrees", None),
+    "Its steady voltage in wet H+": ("disagrees", None),
+    "Voltage over frequency, 90 % humidity": ("agrees", None),
+    "The same, 50 % humidity": ("disagrees", None),
+    "The same, 20 % humidity": ("cannot be had", None),
+    "Short-circuit current": ("agrees", None),
+    "Voltage over curvature": ("agrees", None),
+    "Voltage over length and width": ("agrees", None),
+    "Voltage over thickness": ("disagrees", None),
+    "Streaming potential of Nafion 117, Li+": ("cannot be had", 0.2809),
+    "Streaming potential of Nafion 117, Na+": ("cannot be had", 0.1779),
+    "Streaming potential of Nafion 117, K+": ("cannot be had", 0.09364),
+    "Streaming potential of Nafion 117, H+": ("cannot be had", 0.04869),
+    "Cartilage in confined compression, 1 Hz": ("agrees", 1.376),
+    "Pressed sensor of solution-cast Nafion": ("disagrees", 0.02032),
+    "Pressed gel, twice as thick": ("agrees", 19.64),
+    "Pressed gel, five times thinner": ("disagrees", 0.1946),
+    "Shock pulses in compression and shear on a sealed film": ("cannot be had", None),
+    "Short-circuit current under compression": ("cannot be had", None),
+    "Capacitance of plated electrodes": ("cannot be had", None),
+    "PVDF-HFP gel under slow pressure": ("cannot be had", None),
+}
+SAME = 0.02  # relative, of numbers at `coarse`
+
+
+def departures(rows):
+    """Rows that say something else than they did when the prose of their page was written, in words."""
+    told = {row.name: row for row in rows}
+    for name, (verdict, value) in STANDS.items():
+        if name not in told:
+            yield f"{name} is missing"
+        elif told[name].verdict != verdict:
+            yield f"{name}: {told[name].verdict}, and the page was written for {verdict}"
+        elif value is not None and not abs(told[name].value / value - 1) <= SAME:
+            yield f"{name}: {told[name].value:.4g} {told[name].unit}, and the page was written for {value:g}"
+    for name in told:
+        if name not in STANDS:
+            yield f"{name} is new: the page's prose and STANDS do not know it"

@@ -101,6 +101,19 @@ def modules():
                 yield file, module
 
 
+@functools.cache
+def script():
+    """Text of every file that may name a program or a word."""
+    files = sources("Makefile", "CMakePresets.json", "scripts/*.sh", "*CMakeLists.txt", "cmake/*.cmake", "*.py", "*.mjs", "apps/*.cpp")
+    return "\n".join((ROOT / file).read_text() for file in files if file != "scripts/check_packages.py")
+
+
+@functools.cache
+def is_named(word):
+    """True if a file of `script` holds a word."""
+    return re.search(rf"(?<![\w-]){re.escape(word)}(?![\w-])", script()) is not None
+
+
 def allowed(file):
     """The tiers that a file may count on; None: every one."""
     for folder, tier in FOLDERS.items():
@@ -151,14 +164,11 @@ def unused(packages):
     looked_for = {name for _, name, _ in searches()}
     included = {part for _, header in headers() for part in (header, header.split("/")[0])} | {"Python.h"}
     imported = {module for _, module in modules()}
-    script = "\n".join((ROOT / file).read_text() for file in sources(
-        "Makefile", "CMakePresets.json", "scripts/*.sh", "*CMakeLists.txt", "cmake/*.cmake", "*.py", "*.mjs", "apps/*.cpp")
-        if file != "scripts/check_packages.py")
     for package, (_, names) in packages.items():
         for kind, name in names:
             seen = {"cmake": name in looked_for, "include": name in included, "import": name in imported,
                     "needs": name in packages}
-            if not seen.get(kind, re.search(rf"(?<![\w-]){re.escape(name)}(?![\w-])", script) is not None):
+            if not (seen[kind] if kind in seen else is_named(name)):
                 yield f"packages.txt: {package} is there for {kind}:{name}, which nothing in the tree looks for"
 
 

@@ -1,15 +1,17 @@
 # SPDX-License-Identifier: Apache-2.0
 """Runs the tests of a preset and sums up: run_tests.py PRESET [options of ctest]
 
-Every test must belong to a tier and have a time limit. Tells at the end the ten that took longest and what was skipped; ends
-with 1 where a test failed, was skipped unexpectedly, or could not be run.
+Every test must belong to a tier and have a time limit. Tells at the end the ten that took longest, how long all took, and what
+was skipped; ends with 1 where a test failed, was skipped unexpectedly, or could not be run.
 """
 
 import json
 import pathlib
 import re
+import resource
 import subprocess
 import sys
+import time
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 TIERS = {"quick", "check", "long"}
@@ -39,17 +41,18 @@ def complaints(tests):
             yield f"{test['name']} has no TIMEOUT"
 
 
-def sum_up(log):
-    """Prints the longest tests and the skipped ones of a log of ctest."""
-    found = [(float(seconds), name, output) for name, output, seconds in TEST.findall(log)]
+def sum_up(log, seconds, processor_seconds):
+    """Prints the longest tests and the skipped ones of a log of ctest, and how long all took."""
+    found = [(float(took), name, output) for name, output, took in TEST.findall(log)]
     print("\nThe longest tests, in seconds (of processor time where it is known):")
-    for seconds, name, output in sorted(found, reverse=True)[:10]:
+    for took, name, output in sorted(found, reverse=True)[:10]:
         processor = PROCESSOR.findall(output)
-        print(f"  {seconds:7.1f}  {name}" + (f" ({processor[-1]})" if processor else ""))
+        print(f"  {took:7.1f}  {name}" + (f" ({processor[-1]})" if processor else ""))
     skipped = [(name, line) for _, name, output in found for line in SKIPPED.findall(output)]
     print(f"{len(found)} tests of ctest ran, {len(skipped)} tests in them were skipped")
     for name, line in skipped:
         print(f"  {name}: {line}")
+    print(f"{seconds:.0f} s, {processor_seconds:.0f} s of processor time")
 
 
 def main(preset, *options):
@@ -60,8 +63,11 @@ def main(preset, *options):
     wrong = [*complaints(tests)] or ([] if tests else [f"no test belongs to the preset {preset}"])
     if wrong:
         sys.exit("\n".join(wrong))
+    begun = time.monotonic()
     ended = subprocess.run(["ctest", "--preset", preset, *options], cwd=ROOT, check=False).returncode
-    sum_up((folder_of(preset) / "Testing" / "Temporary" / "LastTest.log").read_text(encoding="utf-8", errors="replace"))
+    passed, used = time.monotonic() - begun, resource.getrusage(resource.RUSAGE_CHILDREN)
+    log = folder_of(preset) / "Testing" / "Temporary" / "LastTest.log"
+    sum_up(log.read_text(encoding="utf-8", errors="replace"), passed, used.ru_utime + used.ru_stime)
     sys.exit(1 if ended else 0)
 
 

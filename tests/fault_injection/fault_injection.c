@@ -5,6 +5,7 @@
 // IONSKIN_FAULT_NUMBER  the call that fails, from 1
 // IONSKIN_FAULT_STAYS   1: those after it fail too, as on a full disk
 // IONSKIN_FAULT_SIGNAL  the call does not fail: the program gets this signal before it
+// IONSKIN_FAULT_ONCE    a file that must not be there yet: the program that makes it is the only one to get the signal
 // IONSKIN_FAULT_TEXT    the signal comes before this text is first printed by fputs, as progress is
 // IONSKIN_FAULT_FOLDER  only files whose path begins so count
 // IONSKIN_FAULT_COUNT   a file to leave the number of calls in
@@ -25,7 +26,7 @@
 static atomic_long calls;
 static long number;
 static int stays, counts, signal_number;
-static char call[16], folder[4096], text[256];
+static char call[16], folder[4096], once[4096], text[256];
 static atomic_flag said = ATOMIC_FLAG_INIT;
 enum { least_allocation = 65536 };
 
@@ -33,9 +34,11 @@ __attribute__((constructor)) static void begin(void) {
   const char *name = getenv("IONSKIN_FAULT_CALL"), *which = getenv("IONSKIN_FAULT_NUMBER");
   const char *place = getenv("IONSKIN_FAULT_FOLDER"), *all = getenv("IONSKIN_FAULT_STAYS");
   const char *ends = getenv("IONSKIN_FAULT_SIGNAL"), *words = getenv("IONSKIN_FAULT_TEXT");
+  const char *mark = getenv("IONSKIN_FAULT_ONCE");
   snprintf(call, sizeof call, "%s", name ? name : "");
   snprintf(text, sizeof text, "%s", words ? words : "");
   snprintf(folder, sizeof folder, "%s", place ? place : "/");
+  snprintf(once, sizeof once, "%s", mark ? mark : "");
   number = which ? atol(which) : 0;
   signal_number = ends ? atoi(ends) : 0;
   stays = all && *all == '1';
@@ -52,13 +55,20 @@ __attribute__((destructor)) static void end(void) {
   }
 }
 
+/* By the system's own call, which does not count. */
+static void get_signal(void) {
+  if (!*once || syscall(SYS_openat, AT_FDCWD, once, O_CREAT | O_EXCL | O_WRONLY, 0600) >= 0) {
+    kill(getpid(), signal_number);
+  }
+}
+
 static int fails(const char *name) {
   if (!counts || strcmp(name, call) != 0) {
     return 0;
   }
   const long now = atomic_fetch_add(&calls, 1) + 1;
   if (signal_number && now == number) {
-    kill(getpid(), signal_number);
+    get_signal();
   }
   return !signal_number && number > 0 && (now == number || (stays && now > number));
 }
@@ -145,7 +155,7 @@ int fsync(int file) {
 
 int fputs(const char *line, FILE *file) {
   if (*text && strstr(line, text) && !atomic_flag_test_and_set(&said)) {
-    kill(getpid(), signal_number);
+    get_signal();
   }
   return NEXT(fputs)(line, file);
 }

@@ -103,6 +103,8 @@ def main():
             driver = Driver([*VERBS[verb], *(SHORT if arguments.short else [])], pathlib.Path(scratch))
             for call in arguments.call or CALLS:
                 total = driver.count(call)
+                if not total:
+                    sys.exit(f"{verb} never calls {call}: the faults are not injected")
                 tried, codes = 0, collections.Counter()
                 for number, stays in faults(total, arguments.faults):
                     code, complaint = driver.complaint(call, number, stays)

@@ -117,7 +117,7 @@ class Slurm:
             daemon.terminate()
         for daemon in self.daemons:
             try:
-                daemon.wait(10)
+                daemon.wait(60)
             except subprocess.TimeoutExpired:
                 daemon.kill()
                 daemon.wait()
@@ -132,7 +132,7 @@ class Slurm:
             self.daemons.append(subprocess.Popen([path_of(program), *map(str, arguments)], env=self.environment,
                                                  stdin=subprocess.DEVNULL, stdout=out, stderr=out))
 
-    def _wait(self, holds, seconds=30):
+    def _wait(self, holds, seconds=300):
         deadline = time.monotonic() + seconds
         while not holds():
             if time.monotonic() > deadline:

@@ -41,6 +41,19 @@ def parent(process):
     return int(pathlib.Path(f"/proc/{process}/stat").read_text().rsplit(")", maxsplit=1)[1].split()[1])
 
 
+def is_stopped(process):
+    """True if a process stands still by SIGSTOP."""
+    try:
+        return pathlib.Path(f"/proc/{process}/stat").read_text().rsplit(")", maxsplit=1)[1].split()[0] == "T"
+    except OSError:
+        return False
+
+
+def stopped(*words):
+    """Ids of those of `processes` that stand still."""
+    return [process for process in processes(*words) if is_stopped(process)]
+
+
 def children(process):
     """Ids of the processes that a process started."""
     return [int(one) for path in pathlib.Path(f"/proc/{process}/task").glob("*/children") for one in path.read_text().split()]
@@ -57,7 +70,7 @@ def listening(process):
     return [row[1].split(":")[0] for row in rows if row[3] == "0A" and f"socket:[{row[9]}]" in sockets]
 
 
-def wait_until(holds, seconds=120):
+def wait_until(holds, seconds=600):
     """Returns what `holds` returned when it first held, which a second call may not: /proc shows no command line of a process
     during execve. Raises TimeoutError."""
     deadline = time.monotonic() + seconds
@@ -69,9 +82,9 @@ def wait_until(holds, seconds=120):
 
 
 class Cluster(ProgramTest):
-    def start(self, name="cluster", *arguments, workers=2):
+    def start(self, name="cluster", *arguments, workers=2, **settings):
         """A cluster of this machine, stopped with the test; returns its scheduler.json."""
-        self.run_program("cluster", "start", name, "--workers", workers, "--threads", 1, "--memory", "1 GB", *arguments)
+        self.run_program("cluster", "start", name, "--workers", workers, "--threads", 1, "--memory", "1 GB", *arguments, **settings)
         self.addCleanup(subprocess.run, [PROGRAM, "cluster", "stop", name], cwd=self.folder, capture_output=True, check=False)
         return self.folder / name / "scheduler.json"
 
@@ -80,27 +93,31 @@ class Cluster(ProgramTest):
         return (self.folder / "serial" / "sweep.csv").read_text()
 
     def test_a_killed_worker_and_a_lost_scheduler_lose_no_point(self):
-        """A worker killed in mid-task takes its program along, and its batch is done again."""
-        scheduler = self.start()
+        """A worker killed in mid-task takes its program along, and its batch is done again. Of each sweep one program stands
+        before it names its second file, so that the sweep cannot end first."""
+        once = self.folder / "once"
+        scheduler = self.start(env=self.observed(call="rename", folder=self.folder / "out", number=2, once=once, signal=int(signal.SIGSTOP)))
         out = self.folder / "out"
         with subprocess.Popen([PROGRAM, "sweep", QUICK, *GRID, "-o", "out", "--on", scheduler, "--quiet"],
                               cwd=self.folder) as sweep:
-            program = wait_until(lambda: list(out.glob("staging/*/*/manifest.json")) and processes("--do-batch", out))[0]
+            program = wait_until(lambda: stopped("--do-batch", out))[0]
             os.kill(parent(program), signal.SIGKILL)
             wait_until(lambda: program not in processes("--do-batch", out))
             self.assertEqual(sweep.wait(), 0)
         table = self.serial()
         self.assertEqual((out / "sweep.csv").read_text(), table)
-        with subprocess.Popen([PROGRAM, "sweep", QUICK, *GRID, "-o", "lost", "--on", scheduler], cwd=self.folder,
+        lost = self.folder / "out_lost"
+        once.unlink()
+        with subprocess.Popen([PROGRAM, "sweep", QUICK, *GRID, "-o", lost, "--on", scheduler], cwd=self.folder,
                               stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True) as sweep:
-            wait_until(lambda: list((self.folder / "lost").glob("staging/*/*/manifest.json")))
+            wait_until(lambda: stopped("--do-batch", lost))
             os.kill(json.loads(scheduler.read_text())["pid"], signal.SIGKILL)
             _, errors = sweep.communicate()
         self.assertEqual(sweep.returncode, LOST, errors)
         self.assertIn("--resume", errors)
-        wait_until(lambda: not processes("--do-batch", self.folder / "lost"))
-        self.run_program("sweep", QUICK, *GRID, "-o", "lost", "--resume")
-        self.assertEqual((self.folder / "lost" / "sweep.csv").read_text(), table)
+        wait_until(lambda: not processes("--do-batch", lost))
+        self.run_program("sweep", QUICK, *GRID, "-o", lost, "--resume")
+        self.assertEqual((lost / "sweep.csv").read_text(), table)
 
     def test_tls_lets_in_holders_of_the_key_only(self):
         scheduler = self.start("cluster", "--tls", workers=1)
@@ -126,11 +143,11 @@ class Cluster(ProgramTest):
         context.check_hostname = False
         context.load_cert_chain(foreign / "certificate.pem", foreign / "key.pem")
         with self.assertRaises((ssl.SSLError, ConnectionError)):
-            with socket.create_connection((address.hostname, address.port), timeout=10) as plain:
+            with socket.create_connection((address.hostname, address.port), timeout=120) as plain:
                 with context.wrap_socket(plain) as encrypted:
                     self.assertEqual(encrypted.recv(1), b"")
                     raise ConnectionError
-        with socket.create_connection((address.hostname, address.port), timeout=10) as plain:
+        with socket.create_connection((address.hostname, address.port), timeout=120) as plain:
             plain.sendall(b"x" * 64)
             try:
                 self.assertNotIn(b"compression", plain.recv(4096))  # of Dask's greeting

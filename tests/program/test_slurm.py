@@ -1,26 +1,19 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Sweeps by Slurm with two nodes: an array of batches, and Dask's workers by srun, one of them killed in mid-task."""
+"""Sweeps by Slurm with two nodes: an array of batches, and Dask's workers by srun, one of each killed in mid-task."""
 
 import os
 import pathlib
+import shlex
 import signal
 import subprocess
 import unittest
 
 import slurm
 from program import PROGRAM, QUICK, ProgramTest
-from test_cluster import parent, processes, wait_until
+from test_cluster import parent, stopped, wait_until
 
 GRID = ("--set", "numerics.mesh_refinement=0.5", "--only", "mechanics", "--no-report", "--over", "contact.friction=0.1,0.2,0.3",
         "--over", "motion.preload=1 um,1.5 um")
-
-
-def environment(process):
-    """Environment of a process; empty once it is gone, and for a moment while it becomes another program."""
-    try:
-        return pathlib.Path(f"/proc/{process}/environ").read_bytes()
-    except OSError:
-        return b""
 
 
 @unittest.skipUnless(slurm.available(), "needs root, slurm-wlm and munge")
@@ -36,14 +29,21 @@ class BySlurm(ProgramTest):
                     way(queue, out)
                     self.assertEqual((out / "sweep.csv").read_text(), table)
 
+    def fault(self, out, how):
+        """Variables with which the first program that names a second file below a folder gets a signal before it does."""
+        all_variables = self.observed(call="rename", folder=out, number=2, once=self.folder / f"once_{out.name}", signal=int(how))
+        return {name: value for name, value in all_variables.items() if name == "LD_PRELOAD" or name.startswith("IONSKIN_FAULT_")}
+
     def array(self, queue, out):
-        """The batch that is killed is done by the same array once more."""
+        """A batch that is killed before it names its second file is done by the same array once more."""
         self.run_program("sweep", QUICK, *GRID, "-o", out, "--plan")
-        job = ("sbatch", "--wait", "--array=0-1", "--output=/dev/null", "--wrap",
-               f"exec {PROGRAM} sweep --do-batch $SLURM_ARRAY_TASK_ID -o {out}")
-        with subprocess.Popen([slurm.path_of(job[0]), *job[1:]], env=queue.environment, stdout=subprocess.DEVNULL) as first:
-            os.kill(wait_until(lambda: processes("--do-batch", "1", out))[0], signal.SIGKILL)
-            self.assertNotEqual(first.wait(), 0)
+        words = self.fault(out, signal.SIGKILL)
+        script = self.write("batch", f"""#!/bin/sh
+[ $SLURM_ARRAY_TASK_ID = 1 ] && export {" ".join(f"{name}={shlex.quote(value)}" for name, value in words.items())}
+exec {PROGRAM} sweep --do-batch $SLURM_ARRAY_TASK_ID -o {out}
+""")
+        job = ("sbatch", "--wait", "--array=0-1", "--output=/dev/null", script)
+        self.assertNotEqual(queue.run(*job).returncode, 0)
         self.assertIn("3 of 6 points are still to be solved", self.run_program("sweep", "--collect", "-o", out, "--no-report",
                                                                                expect=4).stderr)
         done = queue.run(*job)
@@ -51,18 +51,18 @@ class BySlurm(ProgramTest):
         self.run_program("sweep", "--collect", "-o", out, "--no-report")
 
     def workers(self, queue, out):
-        """Slurm's step outlives the worker that is killed, whose nanny starts another."""
+        """Slurm's step outlives the worker that is killed while its program stands still, and whose nanny starts another."""
         cluster = self.folder / "cluster"
         self.run_program("cluster", "start", cluster, "--workers", 0)
         self.addCleanup(subprocess.run, [PROGRAM, "cluster", "stop", cluster], capture_output=True, check=False)
         step = [slurm.path_of("srun"), "--nodes=2", "--ntasks=2", "--kill-on-bad-exit=0", PROGRAM, "cluster", "worker", cluster,
                 "--threads", "1", "--memory", "1 GB"]
-        with subprocess.Popen(step, env=queue.environment, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL):
+        variables = {**queue.environment, **self.fault(out, signal.SIGSTOP)}
+        with subprocess.Popen(step, env=variables, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL):
             with subprocess.Popen([PROGRAM, "sweep", QUICK, *GRID, "-o", out, "--on", cluster / "scheduler.json", "--quiet"],
                                   cwd=self.folder) as sweep:
-                program, variables = wait_until(lambda: [(one, known) for one in processes("--do-batch", out)
-                                                         if (known := environment(one))])[0]
-                self.assertIn(b"SLURMD_NODENAME", variables)
+                program = wait_until(lambda: stopped("--do-batch", out))[0]
+                self.assertIn(b"SLURMD_NODENAME", pathlib.Path(f"/proc/{program}/environ").read_bytes())
                 os.kill(parent(program), signal.SIGKILL)
                 self.assertEqual(sweep.wait(), 0)
             self.run_program("cluster", "stop", cluster)

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """run_file.py and scripts/run_tests.py: which tests run, and that a skipped, a missing or an unlabelled one is a failure."""
 
+import contextlib
+import io
 import pathlib
 import subprocess
 import sys
@@ -83,6 +85,12 @@ class RunTests(unittest.TestCase):
         found = [(float(seconds), name) for name, _, seconds in run_tests.TEST.findall(LOG)]
         self.assertEqual(found, [(1.5, "fast"), (20.25, "slow")])
         self.assertEqual(run_tests.SKIPPED.findall(LOG), ["skipped unexpectedly: some.test: no telescope"])
+        told = io.StringIO()
+        with contextlib.redirect_stdout(told):
+            run_tests.sum_up(LOG, 21.75, 40)
+        lines = [line.strip() for line in told.getvalue().splitlines()]
+        self.assertEqual(lines[2:], ["20.2  slow", "1.5  fast (0.4)", "2 tests of ctest ran, 1 tests in them were skipped",
+                                     "slow: skipped unexpectedly: some.test: no telescope", "22 s, 40 s of processor time"])
 
 
 if __name__ == "__main__":
