@@ -20,7 +20,7 @@ ARROW = 0.35  # length of the head [mm]
 
 
 def geometries(results):
-    """What `geometry` tells of every slider; empty without a contact, or with one that cannot be drawn."""
+    """Geometry of every slider; empty without a contact, or with a slider that cannot be drawn."""
     found = [geometry(results, number) for number in range(len(results.sliders))]
     return [] if None in found else found
 

@@ -332,7 +332,8 @@ struct Case {
   Slider slider;
   Motion motion;
   Contact contact;
-  /// Of a list [[slider]]: `slider`, `motion` and `contact` are those of its first entry.
+  /// Sliders of a list [[slider]] behind its first entry, which `slider`, `motion` and `contact`
+  /// are.
   std::vector<FurtherSlider> further_sliders;
   Electrochemistry electrochemistry;
   Coupling coupling;

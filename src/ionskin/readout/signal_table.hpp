@@ -41,7 +41,7 @@ struct SignalInputs : SliderInputs {
   // Columns of a slider on a drive; left empty, their columns are left out.
   std::vector<double> drive_x, drive_y;             ///< end of the drive [m]
   std::vector<double> drive_force_x, drive_force_y; ///< of the drive on the slider [N]
-  /// Of a case with several: columns of each with `slider_suffix` behind all others.
+  /// Sliders beside the first, whose columns stand behind all others, each with `slider_suffix`.
   std::vector<SliderInputs> further_sliders;
 };
 

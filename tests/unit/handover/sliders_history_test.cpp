@@ -48,7 +48,7 @@ mechanics::SharedState linear_state(const mechanics::ContactSolution& contact,
   return std::make_shared<const mechanics::ContactState>(std::move(state));
 }
 
-/// The same at rest from touchdown on.
+/// Contact of a slider that rests from touchdown on.
 mechanics::ContactSolution resting(const Case& input, double amplitude) {
   mechanics::ContactSolution contact{mesh::SkinMesh(input)};
   const auto state = linear_state(contact, input.slider.start, amplitude);

@@ -141,7 +141,7 @@ CaseDocument walk_document(const CaseText& text, const TomlText& values, const s
   return document;
 }
 
-// What follows from the keys.
+// Sets what follows from the keys.
 void settle(Case& input) {
   if (input.strain.kind == StrainSourceKind::contact)
     settle_slider(input.slider);

@@ -28,7 +28,7 @@ public:
 
   const std::string& text() const { return text_; }
   const toml::value& root() const { return root_; }
-  /// The same text with another tree of its values, which still stand where they stood.
+  /// This text with another tree of its values, which still stand where they stood.
   TomlText with_root(toml::value root) const;
 
   /// Span of a value of this text.

@@ -27,9 +27,9 @@ void KeptPath::add(const StepPoint& point, const SlidingContact& contact) {
     largest_indentation_ = std::max(largest_indentation_, std::abs(state.indentation));
     instant.force = state.force;
     instant.state = std::make_shared<ContactState>();
-    // On landing there is nothing yet to compare with what other sliders lift the face by.
-    const double reference = largest_indentation_ > 0 ? largest_indentation_
-                                                      : std::numeric_limits<double>::infinity();
+    // Nothing is there on landing to compare with what other sliders lift the face by.
+    const double reference =
+        largest_indentation_ > 0 ? largest_indentation_ : std::numeric_limits<double>::infinity();
     describe(model_, state, contact.problem(), largest_force_, reference, *instant.state);
     if (point.time > last_time_) { // an instant that comes twice slips once
       for (std::size_t cell = 0; cell < total_slip_.size(); ++cell) {

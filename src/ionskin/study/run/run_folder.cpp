@@ -61,7 +61,7 @@ bool is_whole(const results::Manifest& manifest, const std::string& hash,
          });
 }
 
-/// What a slider, its motion and its contact decide of Study 1.
+/// Text of all that a slider, its motion and its contact decide of Study 1.
 std::string slider_text(const Slider& slider, const Motion& motion, const Contact& contact) {
   std::string text = fmt::format(" slider {} {} {}", slider.shape, slider.size, slider.start);
   text += fmt::format(" pose {} {} {}", slider.pose.roll, slider.pose.pitch, slider.pose.yaw);

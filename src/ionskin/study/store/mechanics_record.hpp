@@ -66,7 +66,7 @@ MechanicsRecord make_mechanics_record(const Case& input,
                                       const std::vector<mechanics::ContactSolution>& contacts,
                                       const base::ProgressCallback& progress = base::no_progress);
 
-/// The same of a case of one slider.
+/// Record of a case of one slider.
 MechanicsRecord make_mechanics_record(const Case& input, const mechanics::ContactSolution& contact,
                                       const base::ProgressCallback& progress = base::no_progress);
 
