@@ -9,6 +9,7 @@ import { attempt, button, el } from "./dom";
 import { first_waypoints, missing_keys, with_path, without_idle_keys } from "./fitting_keys";
 import { duration, memory } from "./format";
 import { geometry_of } from "./geometry";
+import { key_in_text, of_first_slider, slider_count } from "./slider_list";
 import { store } from "./store";
 import { WaypointEditor, without_waypoints } from "./waypoint_editor";
 
@@ -24,7 +25,8 @@ export function case_view(): HTMLElement {
   // One edit after the other: each goes into the text that the one before made.
   let edits = Promise.resolve();
   const sketch = el("div", { class: "sketch" });
-  let valid: CaseValue[] = [];
+  let valid: CaseValue[] = [], written: CaseValue[] = [];
+  const sliders = el("p", { class: "hint" });
   const taken = new Map<string, string>();
   const take = (text: string) => {
     store.case_text = editor.text = text;
@@ -32,7 +34,7 @@ export function case_view(): HTMLElement {
   };
   const set = (key: string, value: string) => {
     edits = edits.then(() => attempt(async () => {
-      const edited = await post<{ text: string }>("/api/case/set", { text: store.case_text, key, value });
+      const edited = await post<{ text: string }>("/api/case/set", { text: store.case_text, key: key_in_text(key, written), value });
       take(await fitted(key, edited.text));
     }));
   };
@@ -85,7 +87,10 @@ export function case_view(): HTMLElement {
     const errors = verdict.errors ?? [];
     editor.mark(errors);
     if (verdict.valid) {
-      valid = verdict.values!;
+      written = verdict.values!;
+      valid = of_first_slider(written);
+      const count = slider_count(written);
+      sliders.textContent = count > 1 ? `This case has ${count} sliders: the form and the picture show the first, the text has all.` : "";
       const shape = geometry_of(valid);
       form.show(valid, verdict.applicable!);
       path.show(valid, shape);
@@ -110,7 +115,7 @@ export function case_view(): HTMLElement {
   return el("div", { class: "page wide" },
     el("h1", {}, "Case"), verdict_line, problems, actions.element,
     el("div", { class: "two case" },
-      el("section", {}, el("h2", {}, "Form"), sketch, path.element, form.element),
+      el("section", {}, el("h2", {}, "Form"), sliders, sketch, path.element, form.element),
       el("section", {}, el("h2", {}, "Text"), editor.element,
         el("details", {}, el("summary", {}, "What it means (check --explain)"), explanation))));
 }

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "ionskin/case/elastic_constants.hpp"
 #include "ionskin/finite_layers/skin/layered_skin.hpp"
 #include "ionskin/finite_layers/thickness/elastic_layer.hpp"
+#include "ionskin/handover/sliders_history.hpp"
+#include "ionskin/history/shear_statistics.hpp"
 #include "ionskin/mechanics/solve_sliders.hpp"
 #include "mechanics/rows.hpp"
 
@@ -132,6 +135,21 @@ double reciprocity(const Case& input) {
   return std::abs(work / other_work - 1);
 }
 
+/// Mean shear of the core at the end of the cycle over that which carries the forces of all sliders
+/// through it.
+double shear_by_forces(const std::vector<Case>& sliders,
+                       const std::vector<ContactSolution>& solutions) {
+  const history::CoreHistory history = handover::build_sliders_history(sliders, solutions);
+  double force = 0;
+  for (const ContactSolution& solution : solutions) {
+    force += last(solution).tangential_force[0];
+  }
+  const Skin& skin = sliders.front().skin;
+  const double modulus = shear_modulus(skin.layers[skin.core_index()].material);
+  const double expected = force / (skin.length * skin.width * modulus);
+  return history::shear_statistics(history, history.time.back()).mean / expected;
+}
+
 } // namespace
 
 std::vector<Row> several_sliders_rows(const Options& options) {
@@ -162,6 +180,12 @@ std::vector<Row> several_sliders_rows(const Options& options) {
       "M18", "two blocks drawn apart: sum of their forces along the way over one",
       std::abs(last(mirrored[0]).tangential_force[0] / last(mirrored[1]).tangential_force[0] + 1),
       1e-4));
+
+  Case ahead = moving_block(near, 2e-5), behind = moving_block(-near, 2e-5);
+  ahead.coupling.measure = behind.coupling.measure = "signed-xz";
+  const auto together = solve_together({behind, ahead}, options);
+  rows.push_back(compare("M18", "two blocks drawn the same way: mean of their shear by their forces",
+                         shear_by_forces({behind, ahead}, together), 1, 0.01));
 
   const auto apart = solve_together({block_at(-far, 0.1, 0.3), block_at(far, 0.1, 0.3)}, options);
   const auto by_itself = solve_together({block_at(far, 0.1, 0.3)}, options);
