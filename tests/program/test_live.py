@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The reduced skin: trained by the program, stepped from Python and C, and compared with the full model."""
 
+import math
 import os
 import pathlib
 import struct
@@ -12,6 +13,7 @@ import warnings
 
 import numpy
 
+import fmu_importer
 from program import PROGRAM, ROOT, ProgramTest
 from tiers import long_test
 
@@ -131,6 +133,33 @@ class LiveTest(ProgramTest):
         with self.assertRaisesRegex(TypeError, "not both"):
             skin.step(0, (5e-3, 1e-3), pose=(5e-3, 1e-3, 0, 0, 0, 0))
 
+    def test_tells_the_derivatives_of_the_charges(self):
+        """They are those of steps from the same state, and of the first taxel's edge."""
+        skin = ionskin.live.Skin(self.trained)
+        with self.assertRaisesRegex(ValueError, "charge_derivatives: no step was taken"):
+            skin.charge_derivatives()
+        skin.step(0, (5e-3, 1e-3), height=-6e-7)
+        state = skin.save()
+        there = [(5e-3 + way, 1e-3) for way in (-2e-8, 0, 2e-8)]
+        below, charges, above = (self.charges_at(skin, state, place, -6e-7) for place in there)
+        self.assertEqual(len(skin.charge_names), len(charges))
+        self.assertEqual(skin.charge_names[:2], ("charge_top", "charge_bottom"))
+        self.charges_at(skin, state, there[1], -6e-7)
+        derivatives = skin.charge_derivatives()
+        numpy.testing.assert_array_equal(skin.copy().charge_derivatives(), derivatives)
+        numpy.testing.assert_allclose(derivatives[:, 0], (above - below) / 4e-8, atol=0.02 * numpy.abs(derivatives[:, 0]).max())
+        deeper, higher = (self.charges_at(skin, state, there[1], -6e-7 + way) for way in (-2e-10, 2e-10))
+        numpy.testing.assert_allclose(derivatives[:, 2], (higher - deeper) / 4e-10, atol=0.02 * numpy.abs(derivatives[:, 2]).max())
+        skin.restore(state)
+        with self.assertRaisesRegex(ValueError, "charge_derivatives: the state was restored"):
+            skin.charge_derivatives()
+
+    def charges_at(self, skin, state, place, height):
+        """Charges of a step from a state."""
+        skin.restore(state)
+        signals = skin.step(1e-3, place, height=height)
+        return numpy.array([signals[name] for name in skin.charge_names])
+
     @long_test
     def test_a_ball_that_tilts_and_spins(self):
         """The wrench of a ball whose angles change on the way is that of the full model, along waypoints of its own."""
@@ -171,6 +200,32 @@ class LiveTest(ProgramTest):
                 reference = numpy.interp(times, full["time"], full[name])
                 error = numpy.sqrt(((signals[name] - reference) ** 2).mean())
                 self.assertLess(error, share * numpy.abs(reference).max())
+        self.steps_an_fmu_with_angles(skin, times[::10], path[::10])
+
+    def steps_an_fmu_with_angles(self, skin, times, path):
+        """The FMU of a tilted skin takes the angles as inputs: it steps as the skin does, to the last bit."""
+        self.run_program("live", "ball.live", "--fmu", "ball.fmu")
+        fmu = fmu_importer.Fmu(self.folder / "ball.fmu", self.folder / "unpacked")
+        self.assertEqual(fmu_importer.mistakes(fmu.description), [])
+        for name in ("roll", "pitch", "yaw"):
+            self.assertEqual(fmu.variables[name].get("causality"), "input")
+            self.assertEqual(fmu.variables[name][0].get("unit"), "rad")
+        self.assertEqual(fmu.variables["moment_z"][0].get("unit"), "N.m")
+        instance = fmu_importer.Instance(fmu)
+        skin.reset()
+        for i, (time, (x, height, roll, pitch, yaw)) in enumerate(zip(times, path)):
+            inputs = {"x": 1e-3 * x, "y": 3e-3, "height": 1e-6 * height, "roll": math.radians(roll),
+                      "pitch": math.radians(pitch), "yaw": math.radians(yaw)}
+            if i == 0:
+                instance.begin(**inputs)
+            else:
+                instance.set(**inputs)
+                self.assertEqual(instance.step(times[i - 1], time - times[i - 1]), fmu_importer.OK, instance.logged)
+            expected = skin.step(times[0] if i == 0 else times[i - 1] + (time - times[i - 1]), (inputs["x"], 3e-3),
+                                 height=inputs["height"], angles=[inputs[name] for name in ("roll", "pitch", "yaw")])
+            self.assertEqual(instance.get(skin.names), expected.array.tolist(), i)
+            self.assertEqual(instance.flags(), expected.flags)
+        instance.call("FreeInstance")
 
     def play(self):
         """A press, a slide and a lift as a page; its path and the signals."""

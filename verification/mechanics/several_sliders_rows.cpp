@@ -184,7 +184,8 @@ std::vector<Row> several_sliders_rows(const Options& options) {
   Case ahead = moving_block(near, 2e-5), behind = moving_block(-near, 2e-5);
   ahead.coupling.measure = behind.coupling.measure = "signed-xz";
   const auto together = solve_together({behind, ahead}, options);
-  rows.push_back(compare("M18", "two blocks drawn the same way: mean of their shear by their forces",
+  rows.push_back(compare("M18",
+                         "two blocks drawn the same way: mean of their shear by their forces",
                          shear_by_forces({behind, ahead}, together), 1, 0.01));
 
   const auto apart = solve_together({block_at(-far, 0.1, 0.3), block_at(far, 0.1, 0.3)}, options);

@@ -171,13 +171,26 @@ class Skin:
         motion of the slider at the end of that step: ways along x, y and z [m], turns about x, y and z through its centre on
         the undeformed top face [rad]. Of a skin that is computed as one half, columns 1, 3 and 5 are NaN. ValueError: no
         step led to this state. ArithmeticError: it was not found."""
+        return self._derivatives("stiffness", 6)
+
+    @property
+    def charge_names(self) -> tuple[str, ...]:
+        """Names of the charges among the signals: of top and bottom and of the taxels."""
+        return tuple(name for name in self._columns if name.startswith("charge_"))
+
+    def charge_derivatives(self) -> numpy.ndarray:
+        """Derivatives [charge, 6] of the last step's charges, in the order of `charge_names`, by a rigid motion of the
+        slider as `stiffness` has it [C/m], [C/rad]; what is NaN, and the errors, are those of `stiffness`, too."""
+        return self._derivatives("charge_derivatives", self._library.ionskin_live_charge_count(self._handle))
+
+    def _derivatives(self, what: str, rows: int) -> numpy.ndarray:
         if self._time is None:
-            raise ValueError("stiffness: no step was taken, of which it is the derivative; call step first")
-        values = numpy.empty((6, 6))
-        if not self._library.ionskin_live_stiffness(self._handle, pointer(values)):
+            raise ValueError(f"{what}: no step was taken, of which it is the derivative; call step first")
+        values = numpy.empty((rows, 6))
+        if not getattr(self._library, "ionskin_live_" + what)(self._handle, pointer(values)):
             if not self._stepped:
-                raise ValueError("stiffness: the state was restored, and the step that led to it is unknown; call step first")
-            raise ArithmeticError("stiffness: the equations of the contact were not solved")
+                raise ValueError(f"{what}: the state was restored, and the step that led to it is unknown; call step first")
+            raise ArithmeticError(f"{what}: the equations of the contact were not solved")
         return values
 
     def run(self, times: Sequence[float], positions, *, heights=None, forces=None, angles=None) -> Signals:

@@ -15,6 +15,8 @@ namespace {
 /// Error of the strains that the place changes, over the largest strain; stated errors begin at
 /// 1e-4.
 constexpr double smoothness = 1e-6;
+/// Motions along x and y, which move the place.
+constexpr std::size_t ways = 2;
 
 std::vector<float> integrals(const std::vector<float>& fields, const std::vector<double>& x_edges,
                              const std::vector<double>& y_edges, std::size_t levels) {
@@ -40,36 +42,6 @@ std::vector<float> integrals(const std::vector<float>& fields, const std::vector
     }
   }
   return result;
-}
-
-/// Adds the integrals of modes with these amplitudes up to a corner, one for each level.
-void add_integrals(const std::vector<float>& integral, const std::vector<double>& x_edges,
-                   const std::vector<double>& y_edges, const std::array<double, 2>& corner,
-                   std::span<const double> amplitude, std::span<double> levels) noexcept {
-  const std::size_t modes = amplitude.size();
-  const Between x = between(x_edges, corner[0]), y = between(y_edges, corner[1]);
-  for (std::size_t node = 0; node < 4; ++node) {
-    const std::size_t i = x.edge[node % 2], j = y.edge[node / 2];
-    const double weight = x.weight[node % 2] * y.weight[node / 2];
-    if (weight == 0 || i == 0 || j == 0) {
-      continue;
-    }
-    const float* at = integral.data() + (i * y_edges.size() + j) * levels.size() * modes;
-    for (double& level : levels) {
-      std::array<double, 16> part{}; // sums that do not wait for each other
-      std::size_t mode = 0;
-      for (; mode + part.size() <= modes; mode += part.size()) {
-        for (std::size_t k = 0; k < part.size(); ++k) {
-          part[k] += amplitude[mode + k] * static_cast<double>(at[mode + k]);
-        }
-      }
-      for (; mode < modes; ++mode) {
-        part[0] += amplitude[mode] * static_cast<double>(at[mode]);
-      }
-      level += weight * std::accumulate(part.begin(), part.end(), 0.0);
-      at += modes;
-    }
-  }
 }
 
 } // namespace
@@ -147,6 +119,11 @@ ChannelField::ChannelField(const ChannelMap& channel, std::size_t cells) : chann
   place_amplitude_.resize(std::max(channel.strain.modes(), channel.fit.modes()));
   point_.resize(points);
   amplitude_.resize(most_lanes * modes_);
+  own_strain_.resize(tables_->strain.stride());
+  own_reached_.resize(tables_->reach.stride());
+  own_point_.resize(points);
+  place_slope_.resize(place_amplitude_.size());
+  amplitude_slope_.resize(motions * modes_);
 }
 
 void ChannelField::set(std::span<const Touch> touches) noexcept {
@@ -155,16 +132,18 @@ void ChannelField::set(std::span<const Touch> touches) noexcept {
   set_amplitude(lanes, touches);
 }
 
-void ChannelField::set_strain(std::size_t lanes, std::span<const Touch> touches) noexcept {
-  const std::size_t size = tables_->strain.columns() - tables_->directions,
-                    strain_modes = channel_.strain.modes();
+/// Takes the forces on the cells that some lane loads as factors of the strain.
+/// @returns columns that count
+std::size_t ChannelField::load_cells(std::size_t lanes,
+                                     std::span<const std::span<const double>> forces) noexcept {
+  const std::size_t size = tables_->strain.columns() - tables_->directions;
   std::ranges::fill(factors_, 0.0f);
   std::size_t count = 0;
   for (std::size_t at = 0; at < size; at += 3) {
     bool loaded = false;
-    for (std::size_t lane = 0; lane < touches.size(); ++lane) {
+    for (std::size_t lane = 0; lane < forces.size(); ++lane) {
       for (std::size_t c = 0; c < 3; ++c) {
-        const double force = touches[lane].force[at + c];
+        const double force = forces[lane][at + c];
         loaded = loaded || force != 0;
         factors_[(count + c) * lanes + lane] = static_cast<float>(force);
       }
@@ -175,18 +154,33 @@ void ChannelField::set_strain(std::size_t lanes, std::span<const Touch> touches)
       }
     }
   }
+  return count;
+}
+
+/// @param amplitude of the modes of the place, or their derivative
+double ChannelField::along_direction(std::span<const double> amplitude, const float* reached,
+                                     std::size_t direction) const noexcept {
+  double sum = 0;
+  for (std::size_t k = 0; k < amplitude.size(); ++k) {
+    sum += amplitude[k] * static_cast<double>(reached[k * tables_->directions + direction]);
+  }
+  return sum;
+}
+
+void ChannelField::set_strain(std::size_t lanes, std::span<const Touch> touches) noexcept {
+  const std::size_t size = tables_->strain.columns() - tables_->directions;
+  std::array<std::span<const double>, most_lanes> forces;
+  std::ranges::transform(touches, forces.begin(), &Touch::force);
+  std::size_t count = load_cells(lanes, std::span(forces).first(touches.size()));
   if (tables_->directions > 0) {
     tables_->reach.times(lanes, std::span(columns_).first(count), factors_.data(), reached_.data());
+    const auto amplitude = std::span(place_amplitude_).first(channel_.strain.modes());
     for (std::size_t lane = 0; lane < touches.size(); ++lane) {
-      place_amplitudes(channel_.strain, touches[lane].place,
-                       std::span(place_amplitude_).first(strain_modes));
+      place_amplitudes(channel_.strain, touches[lane].place, amplitude);
       const float* reached = reached_.data() + lane * tables_->reach.stride();
       for (std::size_t q = 0; q < tables_->directions; ++q) {
-        double sum = 0;
-        for (std::size_t k = 0; k < strain_modes; ++k) {
-          sum += place_amplitude_[k] * static_cast<double>(reached[k * tables_->directions + q]);
-        }
-        factors_[(count + q) * lanes + lane] = static_cast<float>(sum);
+        factors_[(count + q) * lanes + lane] =
+            static_cast<float>(along_direction(amplitude, reached, q));
       }
     }
     for (std::size_t q = 0; q < tables_->directions; ++q) {
@@ -226,16 +220,163 @@ void ChannelField::set_amplitude(std::size_t lanes, std::span<const Touch> touch
   }
 }
 
+void ChannelField::add_integrals(const std::vector<float>& integral, std::size_t rows,
+                                 const Between& x, const Between& y,
+                                 std::span<const double> amplitude,
+                                 std::span<double> levels) noexcept {
+  const std::size_t modes = amplitude.size();
+  for (std::size_t node = 0; node < 4; ++node) {
+    const std::size_t i = x.edge[node % 2], j = y.edge[node / 2];
+    const double weight = x.weight[node % 2] * y.weight[node / 2];
+    if (weight == 0 || i == 0 || j == 0) {
+      continue;
+    }
+    const float* at = integral.data() + (i * rows + j) * levels.size() * modes;
+    for (double& level : levels) {
+      std::array<double, 16> part{}; // sums that do not wait for each other
+      std::size_t mode = 0;
+      for (; mode + part.size() <= modes; mode += part.size()) {
+        for (std::size_t k = 0; k < part.size(); ++k) {
+          part[k] += amplitude[mode + k] * static_cast<double>(at[mode + k]);
+        }
+      }
+      for (; mode < modes; ++mode) {
+        part[0] += amplitude[mode] * static_cast<double>(at[mode]);
+      }
+      level += weight * std::accumulate(part.begin(), part.end(), 0.0);
+      at += modes;
+    }
+  }
+}
+
+void ChannelField::add_all_integrals(const std::array<double, 2>& place,
+                                     const std::array<double, 2>& corner,
+                                     std::span<const double> amplitude,
+                                     std::span<double> levels) const noexcept {
+  add_integrals(
+      tables_->integral, channel_.y_edges.size(), between(channel_.x_edges, corner[0] - place[0]),
+      between(channel_.y_edges, corner[1] - place[1]), amplitude.first(tables_->riding), levels);
+  add_integrals(tables_->fixed_integral, channel_.fixed_y_edges.size(),
+                between(channel_.fixed_x_edges, corner[0]),
+                between(channel_.fixed_y_edges, corner[1]), amplitude.subspan(tables_->riding),
+                levels);
+}
+
 void ChannelField::integrate_to(std::size_t lane, const std::array<double, 2>& place,
                                 const std::array<double, 2>& corner,
                                 std::span<double> levels) const noexcept {
   std::ranges::fill(levels, 0.0);
-  const std::span<const double> amplitude = this->amplitude(lane);
-  add_integrals(tables_->integral, channel_.x_edges, channel_.y_edges,
-                {corner[0] - place[0], corner[1] - place[1]}, amplitude.first(tables_->riding),
-                levels);
-  add_integrals(tables_->fixed_integral, channel_.fixed_x_edges, channel_.fixed_y_edges, corner,
-                amplitude.subspan(tables_->riding), levels);
+  add_all_integrals(place, corner, amplitude(lane), levels);
+}
+
+void ChannelField::differentiate(const Touch& touch,
+                                 std::span<const double> force_by_motion) noexcept {
+  set({&touch, 1});
+  std::copy_n(strain_.begin(), own_strain_.size(), own_strain_.begin());
+  std::copy_n(reached_.begin(), own_reached_.size(), own_reached_.begin());
+  std::ranges::copy(point_, own_point_.begin());
+  for (std::size_t first = 0; first < motions; first += most_lanes) {
+    const std::size_t count = std::min(most_lanes, motions - first);
+    set_strain_slopes(touch, first, count, force_by_motion);
+    set_amplitude_slopes(touch, first, count);
+  }
+}
+
+/// Derivatives of the strains by so many motions from `first` on, one in each lane.
+void ChannelField::set_strain_slopes(const Touch& touch, std::size_t first, std::size_t lanes,
+                                     std::span<const double> force_by_motion) noexcept {
+  const std::size_t directions = tables_->directions, modes = channel_.strain.modes(),
+                    size = tables_->strain.columns() - directions;
+  std::array<std::span<const double>, most_lanes> forces;
+  for (std::size_t lane = 0; lane < lanes; ++lane) {
+    forces[lane] = force_by_motion.subspan((first + lane) * size, size);
+  }
+  std::size_t count = load_cells(most_lanes, std::span(forces).first(lanes));
+  if (directions > 0) {
+    tables_->reach.times(most_lanes, std::span(columns_).first(count), factors_.data(),
+                         reached_.data());
+    const auto amplitude = std::span(place_amplitude_).first(modes),
+               slope = std::span(place_slope_).first(modes);
+    place_amplitudes(channel_.strain, touch.place, amplitude);
+    for (std::size_t lane = 0; lane < lanes; ++lane) {
+      const std::size_t motion = first + lane;
+      if (motion < ways) {
+        place_slopes(channel_.strain, touch.place, motion, slope);
+      }
+      const float* reached = reached_.data() + lane * tables_->reach.stride();
+      for (std::size_t q = 0; q < directions; ++q) {
+        factors_[(count + q) * most_lanes + lane] = static_cast<float>(
+            along_direction(amplitude, reached, q) +
+            (motion < ways ? along_direction(slope, own_reached_.data(), q) : 0.0));
+      }
+    }
+    for (std::size_t q = 0; q < directions; ++q) {
+      columns_[count++] = static_cast<std::uint32_t>(size + q);
+    }
+  }
+  tables_->strain.times(most_lanes, std::span(columns_).first(count), factors_.data(),
+                        strain_.data());
+}
+
+/// Derivatives of the channel at its points, the norm of the strains of each, and of the
+/// amplitudes.
+void ChannelField::set_amplitude_slopes(const Touch& touch, std::size_t first,
+                                        std::size_t lanes) noexcept {
+  const std::size_t per = channel_.rows_per_point, points = own_point_.size(),
+                    modes = channel_.fit.modes();
+  const auto amplitude = std::span(place_amplitude_).first(modes),
+             slope = std::span(place_slope_).first(modes);
+  place_amplitudes(channel_.fit, touch.place, amplitude);
+  std::ranges::fill(factors_, 0.0f);
+  for (std::size_t lane = 0; lane < lanes; ++lane) {
+    const std::size_t motion = first + lane;
+    std::ranges::fill(slope, 0.0);
+    if (motion < ways) {
+      place_slopes(channel_.fit, touch.place, motion, slope);
+    }
+    const float *own = own_strain_.data(),
+                *strain = strain_.data() + lane * tables_->strain.stride();
+    for (std::size_t point = 0; point < points; ++point, own += per, strain += per) {
+      double change = static_cast<double>(*strain);
+      if (per > 1) {
+        change = 0;
+        for (std::size_t row = 0; row < per && own_point_[point] > 0; ++row) {
+          change +=
+              static_cast<double>(own[row]) * static_cast<double>(strain[row]) / own_point_[point];
+        }
+      }
+      factors_[point * most_lanes + lane] = static_cast<float>(change);
+      for (std::size_t k = 0; k < modes; ++k) {
+        factors_[((k + 1) * points + point) * most_lanes + lane] =
+            static_cast<float>(amplitude[k] * change + slope[k] * own_point_[point]);
+      }
+    }
+  }
+  tables_->fit.times(most_lanes, all_points_, factors_.data(), fitted_.data());
+  for (std::size_t lane = 0; lane < lanes; ++lane) {
+    std::copy_n(fitted_.data() + lane * tables_->fit.stride(), modes_,
+                amplitude_slope_.data() + (first + lane) * modes_);
+  }
+}
+
+void ChannelField::integrate_slope_to(std::size_t motion, const std::array<double, 2>& place,
+                                      const std::array<double, 2>& corner,
+                                      std::span<double> levels) const noexcept {
+  std::ranges::fill(levels, 0.0);
+  add_all_integrals(place, corner, amplitude_slope(motion), levels);
+  if (motion >= ways) {
+    return;
+  }
+  // A field that rides with the slider falls behind a corner as the slider goes on.
+  const double x = corner[0] - place[0], y = corner[1] - place[1];
+  Between at_x = motion == 0 ? slope_between(channel_.x_edges, x) : between(channel_.x_edges, x);
+  const Between at_y =
+      motion == 1 ? slope_between(channel_.y_edges, y) : between(channel_.y_edges, y);
+  for (double& weight : at_x.weight) {
+    weight = -weight;
+  }
+  add_integrals(tables_->integral, channel_.y_edges.size(), at_x, at_y,
+                amplitude(0).first(tables_->riding), levels);
 }
 
 } // namespace ionskin::live

@@ -136,8 +136,7 @@ void ChargeSpread::set_fixed_drive(const ChannelMap& channel) {
   }
 }
 
-void ChargeSpread::row_at(double y, std::vector<float>& row) const noexcept {
-  const Between at = between(data_.channels.back().y_edges, y);
+void ChargeSpread::row_at(const Between& at, std::vector<float>& row) const noexcept {
   const std::size_t size = row.size();
   const float *first = node_.data() + at.edge[0] * size, *second = node_.data() + at.edge[1] * size;
   const auto low = static_cast<float>(at.weight[0]), high = static_cast<float>(at.weight[1]);
@@ -147,7 +146,7 @@ void ChargeSpread::row_at(double y, std::vector<float>& row) const noexcept {
 }
 
 void ChargeSpread::drive(const std::array<double, 2>& place, std::span<const double> amplitude,
-                         std::span<double> waves) noexcept {
+                         std::span<double> waves, Along derivative) noexcept {
   const SpreadMap& map = data_.spread;
   const std::size_t columns = map.columns_x, rows = sum_.size() / columns;
   std::ranges::fill(node_, 0.0f);
@@ -159,15 +158,26 @@ void ChargeSpread::drive(const std::array<double, 2>& place, std::span<const dou
       node += scale * *integral++;
     }
   }
+  // A field that rides with the slider falls behind a column as the slider goes on.
+  const auto from_slider = [](const std::vector<double>& edges, double at, bool slopes) {
+    Between result = slopes ? slope_between(edges, at) : between(edges, at);
+    for (double& weight : result.weight) {
+      weight *= slopes ? -1 : 1;
+    }
+    return result;
+  };
   for (std::size_t i = 0; i <= columns; ++i) {
     const double x = data_.length * static_cast<double>(i) / static_cast<double>(columns);
-    edge_[i] = between(data_.channels.back().x_edges, x - place[0]);
+    edge_[i] = from_slider(data_.channels.back().x_edges, x - place[0], derivative == Along::x);
   }
+  const auto row_to = [&](std::size_t j, std::vector<float>& row) {
+    const double y = data_.width * static_cast<double>(j) / static_cast<double>(map.columns_y);
+    row_at(from_slider(data_.channels.back().y_edges, y - place[1], derivative == Along::y), row);
+  };
   std::ranges::fill(sum_, 0.0f);
-  row_at(-place[1], lower_);
+  row_to(0, lower_);
   for (std::size_t j = 0; j < map.columns_y; ++j) {
-    row_at(data_.width * static_cast<double>(j + 1) / static_cast<double>(map.columns_y) - place[1],
-           upper_);
+    row_to(j + 1, upper_);
     for (std::size_t i = 0; i < lower_.size(); ++i) {
       lower_[i] = upper_[i] - lower_[i];
     }
@@ -197,7 +207,7 @@ void ChargeSpread::drive(const std::array<double, 2>& place, std::span<const dou
     for (std::size_t i = 0; i < columns; ++i) {
       value += static_cast<double>(along[i] * sum[i]);
     }
-    for (std::size_t mode = riding; mode < amplitude.size(); ++mode) {
+    for (std::size_t mode = riding; derivative == Along::none && mode < amplitude.size(); ++mode) {
       value += amplitude[mode] * fixed_drive_[(mode - riding) * waves.size() + wave];
     }
     waves[wave] = value;

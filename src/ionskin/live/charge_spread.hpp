@@ -27,16 +27,18 @@ public:
   explicit ChargeSpread(const SkinData& data);
 
   std::size_t waves() const { return data_.spread.rates.size(); }
+  /// Derivative by the place along x or y while the amplitudes stay, or none: the drive itself.
+  enum class Along { x, y, none };
   /// Drive of the waves [waves()].
   /// @param amplitude of the modes of the driving channel
   void drive(const std::array<double, 2>& place, std::span<const double> amplitude,
-             std::span<double> waves) noexcept;
+             std::span<double> waves, Along derivative = Along::none) noexcept;
   /// Charge that the waves add to a taxel, alike on both sides [C].
   double charge(std::size_t taxel, std::span<const double> relaxed) const noexcept;
 
 private:
   void set_fixed_drive(const ChannelMap& channel);
-  void row_at(double y, std::vector<float>& row) const noexcept;
+  void row_at(const Between& at, std::vector<float>& row) const noexcept;
 
   const SkinData& data_;
   /// Integral of every mode, over its levels with their weights: integral from the lowest corner of

@@ -88,6 +88,7 @@ double LiveContact::leave_residual(std::span<const std::size_t> touching,
 /// that correct what is missed in double precision.
 bool LiveContact::stiffness(const State& state, std::span<double, 36> matrix) noexcept {
   std::ranges::fill(matrix, 0.0);
+  std::ranges::fill(force_by_motion_, 0.0);
   if (!stepped_) {
     return false;
   }
@@ -106,7 +107,6 @@ bool LiveContact::stiffness(const State& state, std::span<double, 36> matrix) no
   if (touching.empty() || !take_normal(touching) || !tangential_.factor()) {
     return touching.empty();
   }
-  std::ranges::fill(force_by_motion_, 0.0);
   double missed = leave_residual(touching, begun);
   for (int i = 0; i < most_corrections && missed > solved; ++i) {
     for (std::size_t motion = 0; motion < motions; ++motion) {

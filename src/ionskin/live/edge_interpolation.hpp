@@ -27,4 +27,14 @@ inline Between between(const std::vector<double>& edges, double at) noexcept {
   return {{i - 1, i}, {1 - weight, weight}};
 }
 
+/// Derivative of the weights by the coordinate; none outside the edges, and that of the side above
+/// on an edge.
+inline Between slope_between(const std::vector<double>& edges, double at) noexcept {
+  Between result = between(edges, at);
+  const auto& [low, high] = result.edge;
+  const double slope = low == high ? 0.0 : 1 / (edges[high] - edges[low]);
+  result.weight = {-slope, slope};
+  return result;
+}
+
 } // namespace ionskin::live

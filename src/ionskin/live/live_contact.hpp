@@ -13,9 +13,6 @@
 
 namespace ionskin::live {
 
-/// Motions of a rigid slider: along x, y and z, about x, y and z.
-inline constexpr std::size_t motions = 6;
-
 /// One increment of contact and friction by at most so many sweeps of projected Gauss-Seidel, which
 /// start from the forces of the step before, with Newton's steps for the normal and for the
 /// tangential forces between them; where they miss a given force, a bracketed search over the
@@ -66,6 +63,9 @@ public:
   /// through the slider's centre on the undeformed top face [column].
   /// @returns false where there was no step in this state, or the equations were not solved
   bool stiffness(const State& state, std::span<double, 36> matrix) noexcept;
+  /// Derivatives of the cells' forces by which `stiffness` found the last matrix: [motion][3 cells]
+  /// [N/m], [N/rad].
+  std::span<const double> force_by_motion() const { return force_by_motion_; }
   /// Leaves the last step, as another state is taken up.
   void leave() noexcept { stepped_ = false; }
   bool slips(std::size_t cell) const { return slips_[cell] != 0; } ///< of the last step

@@ -17,13 +17,26 @@ void lagrange(const std::vector<double>& lines, double at, std::span<double> wei
   }
 }
 
-} // namespace
+void lagrange_slope(const std::vector<double>& lines, double at,
+                    std::span<double> weights) noexcept {
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    weights[i] = 0;
+    for (std::size_t k = 0; k < lines.size(); ++k) {
+      double product = k == i ? 0 : 1 / (lines[i] - lines[k]);
+      for (std::size_t j = 0; j < lines.size(); ++j) {
+        if (j != i && j != k) {
+          product *= (at - lines[j]) / (lines[i] - lines[j]);
+        }
+      }
+      weights[i] += product;
+    }
+  }
+}
 
-void place_amplitudes(const PlaceMap& map, const std::array<double, 2>& place,
-                      std::span<double> amplitudes) noexcept {
-  std::array<double, most_lines> x{}, y{};
-  lagrange(map.lines_x, place[0], x);
-  lagrange(map.lines_y, place[1], y);
+using Weights = std::array<double, most_lines>;
+
+void add_nodes(const PlaceMap& map, const Weights& x, const Weights& y,
+               std::span<double> amplitudes) noexcept {
   std::fill(amplitudes.begin(), amplitudes.end(), 0.0);
   const std::size_t modes = map.modes();
   for (std::size_t j = 0, node = 0; j < map.lines_y.size(); ++j) {
@@ -33,6 +46,24 @@ void place_amplitudes(const PlaceMap& map, const std::array<double, 2>& place,
       }
     }
   }
+}
+
+} // namespace
+
+void place_slopes(const PlaceMap& map, const std::array<double, 2>& place, std::size_t direction,
+                  std::span<double> slopes) noexcept {
+  Weights x{}, y{};
+  (direction == 0 ? lagrange_slope : lagrange)(map.lines_x, place[0], x);
+  (direction == 1 ? lagrange_slope : lagrange)(map.lines_y, place[1], y);
+  add_nodes(map, x, y, slopes);
+}
+
+void place_amplitudes(const PlaceMap& map, const std::array<double, 2>& place,
+                      std::span<double> amplitudes) noexcept {
+  Weights x{}, y{};
+  lagrange(map.lines_x, place[0], x);
+  lagrange(map.lines_y, place[1], y);
+  add_nodes(map, x, y, amplitudes);
 }
 
 } // namespace ionskin::live

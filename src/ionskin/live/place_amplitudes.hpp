@@ -12,4 +12,8 @@ namespace ionskin::live {
 void place_amplitudes(const PlaceMap& map, const std::array<double, 2>& place,
                       std::span<double> amplitudes) noexcept;
 
+/// Derivatives of the amplitudes by the place along x (0) or y (1) [1/m].
+void place_slopes(const PlaceMap& map, const std::array<double, 2>& place, std::size_t direction,
+                  std::span<double> slopes) noexcept;
+
 } // namespace ionskin::live

@@ -38,6 +38,13 @@ constexpr double rough = 1e-3;  // residual
 constexpr double margin = 1e-2; // of what follows from a place and a load within the trained range
 constexpr double rounding = 1e-9;      // of a place [m]
 constexpr double load_rounding = 1e-6; // of a load over the trained one
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+/// True of motions across the plane of symmetry of a half skin, which knows what is alike on both
+/// halves.
+bool across(std::size_t motion) {
+  return motion == 1 || motion == 3 || motion == 5;
+}
 
 } // namespace
 
@@ -86,7 +93,9 @@ Skin::Skin(const SkinData& data)
   corner_levels_.resize(levels_.size() / regions_ * corners_.size());
   passes_.resize(data.rates.size());
   wave_drive_.resize(spread_.waves());
+  wave_slope_.resize(spread_.waves());
   charge_.resize(outputs);
+  charge_slope_.resize(outputs);
   pressure_.resize(data.area.size());
   reset();
 }
@@ -228,21 +237,42 @@ Skin::Pressed Skin::press(double time, const std::array<double, 2>& place, const
                      (!is_force && signals[normal_force] > (1 + margin) * data_.heaviest_force);
   flags |= heavy ? flag::outside_load : 0;
   flags |= is_force && value < 0 ? flag::pulled : 0;
+  last_ = pressed;
   return pressed;
 }
 
 bool Skin::stiffness(std::span<double, 36> matrix) noexcept {
-  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
   const bool known = contact_.stiffness(contact_state(), matrix);
   for (std::size_t row = 0; row < motions; ++row) {
     for (std::size_t motion = 0; motion < motions; ++motion) {
       double& value = matrix[motions * row + motion];
       value /= data_.meshed_share;
-      if (data_.meshed_share < 1) { // the halves know what is alike on both
-        const bool across = motion == 1 || motion == 3 || motion == 5;
-        value = across ? unknown : row == 1 || row == 3 || row == 5 ? 0 : value;
+      if (data_.meshed_share < 1) {
+        value = across(motion) ? unknown : across(row) ? 0 : value;
       }
       value = known ? value : unknown;
+    }
+  }
+  return known;
+}
+
+bool Skin::charge_derivatives(std::span<double> matrix) noexcept {
+  std::array<double, motions * motions> stiffness{};
+  const bool known = contact_.stiffness(contact_state(), stiffness),
+             touches = known && last_.touches;
+  ChannelField& driving = fields_.back();
+  if (touches) {
+    driving.differentiate(touch(last_), contact_.force_by_motion());
+  }
+  std::ranges::fill(charge_slope_, 0.0);
+  for (std::size_t motion = 0; motion < motions; ++motion) {
+    if (touches) {
+      set_charge_slopes(driving, motion);
+    }
+    const bool told = known && !(data_.meshed_share < 1 && across(motion));
+    for (std::size_t charge = 0; charge < charges(); ++charge) {
+      const std::size_t output = charge < sides ? charge : sides * (charge - sides + 1);
+      matrix[motions * charge + motion] = told ? charge_slope_[output] : unknown;
     }
   }
   return known;
@@ -257,7 +287,7 @@ void Skin::tell(const Pressed& pressed, std::span<const ChannelField> fields, st
       std::fill(levels_.begin(), levels_.end(), 0.0);
       continue;
     }
-    set_levels(field, lane, pressed.place);
+    set_field_levels(field, lane, pressed.place);
     if (&field == fields.data()) {
       const double volume = data_.length * data_.width * data_.thickness;
       for (std::size_t i = 0; i < levels; ++i) {

@@ -68,6 +68,13 @@ public:
   /// @returns false, and NaN, where no step led to this state, or the equations were not solved
   bool stiffness(std::span<double, 36> matrix) noexcept;
 
+  /// Charges among the signals, in their order: of top, of bottom, of the top of each taxel.
+  std::size_t charges() const { return sides + regions_ - 1; }
+  /// Derivatives of the last step's charges by a motion of the slider, as `stiffness` has it:
+  /// [charges()][motions] [C/m], [C/rad], docs/model.md (82). NaN where `stiffness` has it.
+  /// @returns false, and NaN, where `stiffness` is not known
+  bool charge_derivatives(std::span<double> matrix) noexcept;
+
   /// Sets another coefficient of friction, of the slider that touches now; it is not part of the
   /// state, and takes memory.
   /// @returns whether it is within the trained range; if not nothing changes
@@ -122,10 +129,13 @@ private:
   LiveContact::Stance stance(const Angles& angles, bool first, bool& outside) const noexcept;
   void add_contact(std::span<double> signals) noexcept;
   // These functions lead from the strain to the charges: skin_charges.cpp.
-  void set_levels(const ChannelField& field, std::size_t lane,
-                  const std::array<double, 2>& place) noexcept;
+  template <class IntegrateTo> void set_levels(std::size_t levels, IntegrateTo&& to) noexcept;
+  double drive(const ChargeModel& model, std::size_t region, const double* weights) const noexcept;
   void add_charges(double time_step, bool first) noexcept;
   void add_spread(const Pressed& pressed, std::span<const double> amplitude) noexcept;
+  void set_field_levels(const ChannelField& field, std::size_t lane,
+                        const std::array<double, 2>& place) noexcept;
+  void set_charge_slopes(const ChannelField& field, std::size_t motion) noexcept;
 
   const SkinData& data_;
   LiveContact contact_;
@@ -144,6 +154,9 @@ private:
   std::vector<double> corner_levels_; ///< [corner][level]
   std::vector<LowPass> passes_;       ///< of the rates over the step
   std::vector<double> levels_, charge_, pressure_, wave_drive_;
+  Pressed last_;                     ///< the last step, for its derivatives
+  std::vector<double> charge_slope_; ///< of each output by a motion
+  std::vector<double> wave_slope_;   ///< of the drive of each wave by the place
 };
 
 } // namespace ionskin::live

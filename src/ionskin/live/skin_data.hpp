@@ -14,6 +14,9 @@ namespace ionskin::live {
 /// Largest number of interpolation nodes along x or y.
 inline constexpr std::size_t most_lines = 17;
 
+/// Motions of a rigid slider: along x, y and z, about x, y and z.
+inline constexpr std::size_t motions = 6;
+
 /// Values that depend on the slider's place: a mean and modes, whose amplitudes are polynomials
 /// through nodes at the crossings of lines.
 struct PlaceMap {

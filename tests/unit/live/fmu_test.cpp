@@ -5,12 +5,16 @@
 #include "ionskin/live/fmu/fmi2.h"
 #include "ionskin/live/fmu/model_description.hpp"
 #include "ionskin/live/fmu/variables.hpp"
+#include "ionskin/live/skin.hpp"
+#include "ionskin/live/slope_table.hpp"
 #include "small_skin.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstdint>
 #include <cstring>
 #include <filesystem>
 #include <limits>
@@ -143,6 +147,114 @@ TEST_F(LiveFmuOverFriction, FrictionIsAnInputWithinItsTrainedRange) {
   EXPECT_EQ(fmi2DoStep(component, 1e-3 * step_, 1e-3, fmi2True), fmi2Discard);
   EXPECT_EQ(set_friction(0.2), fmi2OK);
   EXPECT_EQ(fmi2DoStep(component, 1e-3 * step_, 1e-3, fmi2True), fmi2OK);
+}
+
+SkinData skin_with_angles() {
+  SkinData data = small_skin();
+  data.steepest = 0.02;
+  data.fastest_turn = 100;
+  data.turns_into_itself = 1;
+  data.slopes = slope_lines(std::tan(data.steepest));
+  data.lowest.assign(data.slopes.size() * data.slopes.size(), 0.0);
+  return data;
+}
+
+class LiveFmuWithAngles : public LiveFmu {
+protected:
+  LiveFmuWithAngles() : LiveFmu(skin_with_angles()) {}
+  static fmi2ValueReference reference_of(std::size_t angle) {
+    return static_cast<fmi2ValueReference>(fmu::reference::signals + Skin(data()).names().size() +
+                                           angle);
+  }
+  fmi2Status set_angles(const Skin::Angles& angles) {
+    const std::array<fmi2ValueReference, 3> inputs{reference_of(0), reference_of(1),
+                                                   reference_of(2)};
+    return fmi2SetReal(component, inputs.data(), inputs.size(), angles.data());
+  }
+  static const SkinData& data() {
+    static const SkinData made = skin_with_angles();
+    return made;
+  }
+};
+
+TEST_F(LiveFmuWithAngles, StepsATiltedAndTurningSliderAsTheSkinDoes) {
+  Skin skin(data());
+  std::vector<double> expected(skin.names().size());
+  references.clear();
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    references.push_back(static_cast<fmi2ValueReference>(fmu::reference::signals + i));
+  }
+  const auto angles = [](int i) { return Skin::Angles{1e-5 * i, -2e-5 * i, 1e-3 * i}; };
+  ASSERT_EQ(fmi2EnterInitializationMode(component), fmi2OK);
+  set(2e-3, -4e-7);
+  ASSERT_EQ(set_angles(angles(0)), fmi2OK);
+  ASSERT_EQ(fmi2ExitInitializationMode(component), fmi2OK);
+  fmi2FMUstate state = nullptr;
+  std::vector<double> later;
+  for (int round = 0; round < 2; ++round) {
+    for (int i = round == 0 ? 0 : 10; i < 30; ++i) {
+      if (i > 0) {
+        set(2e-3 + 1e-6 * i, -4e-7);
+        ASSERT_EQ(set_angles(angles(i)), fmi2OK);
+        ASSERT_EQ(fmi2DoStep(component, 1e-3 * (i - 1), 1e-3, fmi2False), fmi2OK);
+      }
+      if (round == 0) {
+        EXPECT_EQ(skin.step(i == 0 ? 0 : 1e-3 * (i - 1) + 1e-3, {2e-3 + 1e-6 * i, 1e-3}, angles(i),
+                            false, -4e-7, expected),
+                  0u);
+        EXPECT_EQ(get(), expected) << i;
+      }
+      if (round == 0 && i == 9) {
+        ASSERT_EQ(fmi2GetFMUstate(component, &state), fmi2OK);
+      }
+    }
+    if (round == 0) {
+      later = get();
+      const std::size_t moment = later.size() - 3;
+      EXPECT_GT(std::abs(later[moment + 1]), 0);
+      EXPECT_GT(std::abs(later[moment + 2]), 0); // it turns in contact
+      ASSERT_EQ(fmi2SetFMUstate(component, state), fmi2OK);
+      const fmi2ValueReference yaw = reference_of(2);
+      double held = 0;
+      ASSERT_EQ(fmi2GetReal(component, &yaw, 1, &held), fmi2OK);
+      EXPECT_DOUBLE_EQ(held, angles(9)[2]); // a state holds the angles
+    }
+  }
+  EXPECT_EQ(get(), later);
+  fmi2FreeFMUstate(component, &state);
+}
+
+TEST_F(LiveFmuWithAngles, SaysWhatWasNotTrained) {
+  ASSERT_EQ(fmi2EnterInitializationMode(component), fmi2OK);
+  set(2e-3, -4e-7);
+  ASSERT_EQ(fmi2ExitInitializationMode(component), fmi2OK);
+  const fmi2ValueReference flags = fmu::reference::flags;
+  fmi2Integer raised = 0;
+  ASSERT_EQ(set_angles({0, 0.03, 0}), fmi2OK);
+  ASSERT_EQ(fmi2DoStep(component, 0, 1e-3, fmi2False), fmi2OK);
+  ASSERT_EQ(fmi2GetInteger(component, &flags, 1, &raised), fmi2OK);
+  EXPECT_NE(static_cast<std::uint32_t>(raised) & flag::outside_pose, 0u);
+  const std::vector<double> before = get();
+  for (const double wrong : {std::numeric_limits<double>::quiet_NaN(), 1e7}) {
+    ASSERT_EQ(set_angles({0, 0, wrong}), fmi2OK);
+    EXPECT_EQ(fmi2DoStep(component, 1e-3, 1e-3, fmi2False), fmi2Discard);
+    EXPECT_EQ(get(), before);
+  }
+  ASSERT_EQ(set_angles({0, 0, 0}), fmi2OK);
+  EXPECT_EQ(fmi2DoStep(component, 1e-3, 1e-3, fmi2False), fmi2OK);
+}
+
+TEST_F(LiveFmu, OfAnUprightSkinHasNoAngles) {
+  const auto behind =
+      static_cast<fmi2ValueReference>(fmu::reference::signals + Skin(small_skin()).names().size());
+  const double value = 0;
+  EXPECT_EQ(fmi2SetReal(component, &behind, 1, &value), fmi2Error);
+  EXPECT_TRUE(fmu::trained_angles(small_skin()).empty());
+  SkinData tilted = skin_with_angles();
+  tilted.fastest_turn = 0;
+  const std::vector<fmu::Variable> list = fmu::variables(tilted);
+  EXPECT_EQ(list.back().name, "pitch");
+  EXPECT_EQ(list.back().unit, "rad");
 }
 
 TEST_F(LiveFmu, TakesUpStatesOfAnyBytes) {

@@ -111,4 +111,38 @@ SkinData sphere_on_many_cells(std::size_t across) {
   return data;
 }
 
+SkinData sphere_under(const std::string& law) {
+  SkinData data = sphere_on_many_cells(9);
+  data.lowest_place = {1e-3, 4e-4};
+  data.highest_place = {5e-3, 1.6e-3};
+  data.deepest_indentation = 2e-5;
+  data.friction_law = law;
+  if (law == "regularised") {
+    data.friction_parameters = {"slip_length"};
+    data.friction_values = {1e-6};
+  } else if (law == "viscous") {
+    data.friction_parameters = {"reference_speed"};
+    data.friction_values = {1e-2};
+  } else if (law == "stribeck") {
+    data.friction_parameters = {"kinetic_friction", "stribeck_speed", "lag_time"};
+    data.friction_values = {0.2, 1e-3, 5e-3};
+  } else if (law == "anisotropic") {
+    data.friction_parameters = {"transverse_friction"};
+    data.friction_values = {0.1};
+  }
+  return data;
+}
+
+SkinData turned(SkinData data, std::size_t axis, double angle) {
+  const std::size_t columns = data.cell_lines_x.size() - 1;
+  for (std::size_t cell = 0; cell < data.gap.size(); ++cell) {
+    const auto middle = [&](const std::vector<double>& lines, std::size_t at) {
+      return (lines[at] + lines[at + 1]) / 2;
+    };
+    data.gap[cell] += axis == 0 ? angle * middle(data.cell_lines_y, cell / columns)
+                                : -angle * middle(data.cell_lines_x, cell % columns);
+  }
+  return data;
+}
+
 } // namespace ionskin::live

@@ -4,6 +4,7 @@
 #include "ionskin/live/skin_data.hpp"
 
 #include <cstddef>
+#include <string>
 
 namespace ionskin::live {
 
@@ -15,5 +16,11 @@ SkinData small_skin();
 /// elastic half-space: each cell gives little by itself beside what its neighbours press it down
 /// and drag it along. Within 20 N the contact stays within 11 cells across.
 SkinData sphere_on_many_cells(std::size_t across);
+
+/// A small skin of 9 cells across under a friction law with its parameters
+SkinData sphere_under(const std::string& law);
+
+/// A skin whose slider's underside is turned by so much about x (0) or y (1) through its centre.
+SkinData turned(SkinData data, std::size_t axis, double angle);
 
 } // namespace ionskin::live

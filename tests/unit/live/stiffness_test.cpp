@@ -33,19 +33,6 @@ Wrench wrench_of(Skin& skin, const Given& given) {
           signals[moment], signals[moment + 1], signals[moment + 2]};
 }
 
-/// A skin whose underside is turned by so much about x or y through its centre.
-SkinData turned(SkinData data, std::size_t axis, double angle) {
-  const std::size_t columns = data.cell_lines_x.size() - 1;
-  for (std::size_t cell = 0; cell < data.gap.size(); ++cell) {
-    const auto middle = [&](const std::vector<double>& lines, std::size_t at) {
-      return (lines[at] + lines[at + 1]) / 2;
-    };
-    data.gap[cell] += axis == 0 ? angle * middle(data.cell_lines_y, cell / columns)
-                                : -angle * middle(data.cell_lines_x, cell % columns);
-  }
-  return data;
-}
-
 /// Differences over a step from a state, by ways along x, y, z and turns about x and y.
 void expect_stiffness(const SkinData& data, const std::vector<Given>& before, const Given& given,
                       double way, double tolerance) {
@@ -91,33 +78,11 @@ void expect_stiffness(const SkinData& data, const std::vector<Given>& before, co
   }
 }
 
-SkinData stiff_skin(const std::string& law) {
-  SkinData data = sphere_on_many_cells(9);
-  data.lowest_place = {1e-3, 4e-4};
-  data.highest_place = {5e-3, 1.6e-3};
-  data.deepest_indentation = 2e-5;
-  data.friction_law = law;
-  if (law == "regularised") {
-    data.friction_parameters = {"slip_length"};
-    data.friction_values = {1e-6};
-  } else if (law == "viscous") {
-    data.friction_parameters = {"reference_speed"};
-    data.friction_values = {1e-2};
-  } else if (law == "stribeck") {
-    data.friction_parameters = {"kinetic_friction", "stribeck_speed", "lag_time"};
-    data.friction_values = {0.2, 1e-3, 5e-3};
-  } else if (law == "anisotropic") {
-    data.friction_parameters = {"transverse_friction"};
-    data.friction_values = {0.1};
-  }
-  return data;
-}
-
 constexpr std::array<double, 2> landing_place{3e-3, 1e-3};
 constexpr double pressed_depth = 8e-6;
 
 TEST(LiveStiffness, IsTheDifferenceOfStepsWhereAllSticks) {
-  SkinData data = stiff_skin("coulomb");
+  SkinData data = sphere_under("coulomb");
   data.friction = data.highest_friction = 2;
   const Given landed{0, landing_place, pressed_depth},
       next{1e-3, {3e-3 + 2e-8, 1e-3 + 1e-8}, pressed_depth + 1e-8};
@@ -127,7 +92,7 @@ TEST(LiveStiffness, IsTheDifferenceOfStepsWhereAllSticks) {
 TEST(LiveStiffness, IsTheDifferenceOfStepsUnderEveryFriction) {
   for (const char* law : {"coulomb", "regularised", "viscous", "stribeck", "anisotropic"}) {
     SCOPED_TRACE(law);
-    const SkinData data = stiff_skin(law);
+    const SkinData data = sphere_under(law);
     // All of it slides; then a part of the contact of a longer way does.
     const Given landed{0, landing_place, pressed_depth},
         sliding{1e-2, {3e-3 + 2e-4, 1e-3 + 1e-4}, pressed_depth},
@@ -139,7 +104,7 @@ TEST(LiveStiffness, IsTheDifferenceOfStepsUnderEveryFriction) {
 }
 
 TEST(LiveStiffness, IsNoneInTheAirAndUnknownWithoutAStep) {
-  const SkinData data = stiff_skin("coulomb");
+  const SkinData data = sphere_under("coulomb");
   Skin skin(data);
   std::array<double, 36> stiffness{};
   EXPECT_FALSE(skin.stiffness(stiffness));
@@ -155,7 +120,7 @@ TEST(LiveStiffness, IsNoneInTheAirAndUnknownWithoutAStep) {
 }
 
 TEST(LiveStiffness, OfAHalfSkinIsThatOfItsSymmetricMotions) {
-  SkinData data = stiff_skin("coulomb"), half = data;
+  SkinData data = sphere_under("coulomb"), half = data;
   half.meshed_share = 0.5;
   std::array<double, 36> whole{}, of_half{};
   Skin skin(data), other(half);
@@ -169,7 +134,7 @@ TEST(LiveStiffness, OfAHalfSkinIsThatOfItsSymmetricMotions) {
 }
 
 TEST(LiveStiffness, IsReportedByCAndCxx) {
-  const SkinData data = stiff_skin("coulomb");
+  const SkinData data = sphere_under("coulomb");
   const auto path = std::filesystem::temp_directory_path() / "ionskin_live_stiffness.live";
   write_skin(path, data);
   ionskin_live::Skin skin(path.string());

@@ -142,10 +142,8 @@ fmi2Status fmi2ExitInitializationMode(fmi2Component component) {
     if (instance.mode() != Instance::Mode::initialization) {
       return fail(known, "fmi2EnterInitializationMode comes first");
     }
-    for (std::size_t i = 0; i < reference::inputs; ++i) {
-      if (!std::isfinite(*instance.real(i))) {
-        return fail(known, "an input is not finite");
-      }
+    if (!instance.inputs_are_finite()) {
+      return fail(known, "an input is not finite");
     }
     instance.exit_initialization();
     return fmi2OK;
@@ -184,7 +182,8 @@ fmi2Status fmi2DoStep(fmi2Component component, fmi2Real communication_point, fmi
     }
     if (!instance.step(communication_point + step_size)) {
       log(&known.callbacks, known.instance_name.c_str(), fmi2Discard, discard_category,
-          "an input is not finite, or the time does not advance: nothing has moved");
+          "an input is not finite or a yaw beyond 1e6 rad, or the time does not advance: nothing "
+          "has moved");
       return fmi2Discard;
     }
     return fmi2OK;

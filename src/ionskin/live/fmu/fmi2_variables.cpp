@@ -27,7 +27,7 @@ fmi2Status fmi2GetReal(fmi2Component component, const fmi2ValueReference referen
                        fmi2Real values[]) {
   return with(component, [&](Component& known, Instance& instance) {
     for (size_t i = 0; i < count; ++i) {
-      if (references[i] >= reference::inputs && !outputs_known(instance)) {
+      if (instance.is_output(references[i]) && !outputs_known(instance)) {
         return fail(known, too_early);
       }
       const double* value = instance.real(references[i]);

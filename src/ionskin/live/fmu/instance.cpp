@@ -15,8 +15,8 @@ enum : std::size_t { place_of_mode, place_of_time, place_of_control, place_of_fl
 } // namespace
 
 Instance::Instance(SkinData data)
-    : data_(std::move(data)), guid_(fmu::guid(data_)), skin_(data_),
-      signals_(skin_.names().size()) {
+    : data_(std::move(data)), guid_(fmu::guid(data_)), skin_(data_), signals_(skin_.names().size()),
+      trained_angles_(trained_angles(data_)) {
   const std::vector<Variable> list = variables(data_);
   for (std::size_t i = 0; i < start_.size(); ++i) {
     start_[i] = list[i].start;
@@ -30,6 +30,7 @@ void Instance::reset() {
   mode_ = Mode::instantiated;
   time_ = 0;
   inputs_ = start_;
+  angles_ = {};
   force_control_ = followed_ = false;
   flags_ = 0;
 }
@@ -55,7 +56,7 @@ std::uint32_t Instance::evaluate(double time) {
   if (friction != skin_.friction()) {
     skin_.set_friction(friction);
   }
-  return skin_.step(time, {inputs_[reference::x], inputs_[reference::y]}, force_control_,
+  return skin_.step(time, {inputs_[reference::x], inputs_[reference::y]}, angles_, force_control_,
                     inputs_[force_control_ ? reference::force : reference::height], signals_);
 }
 
@@ -83,10 +84,10 @@ bool Instance::step(double time) {
 }
 
 const double* Instance::real(std::size_t reference) {
-  if (reference < reference::inputs) {
-    return &inputs_[reference];
+  if (const double* input = find_input(reference)) {
+    return input;
   }
-  if (reference < reference::signals || reference - reference::signals >= signals_.size()) {
+  if (!is_output(reference)) {
     return nullptr;
   }
   follow_inputs();
@@ -95,7 +96,23 @@ const double* Instance::real(std::size_t reference) {
 
 double* Instance::input(std::size_t reference) {
   followed_ = false;
-  return reference < reference::inputs ? &inputs_[reference] : nullptr;
+  return find_input(reference);
+}
+
+double* Instance::find_input(std::size_t reference) {
+  if (reference < reference::inputs) {
+    return &inputs_[reference];
+  }
+  const std::size_t first_angle = reference::signals + signals_.size();
+  if (reference < first_angle || reference - first_angle >= trained_angles_.size()) {
+    return nullptr;
+  }
+  return &angles_[trained_angles_[reference - first_angle]];
+}
+
+bool Instance::inputs_are_finite() const {
+  const auto is_finite = [](double value) { return std::isfinite(value); };
+  return std::ranges::all_of(inputs_, is_finite) && std::ranges::all_of(angles_, is_finite);
 }
 
 std::uint32_t Instance::flags() {
@@ -109,7 +126,7 @@ bool& Instance::force_control() {
 }
 
 std::size_t Instance::state_size() const {
-  return singles + inputs_.size() + signals_.size() + skin_.state().size();
+  return singles + inputs_.size() + angles_.size() + signals_.size() + skin_.state().size();
 }
 
 void Instance::save(std::span<double> state) const {
@@ -118,6 +135,7 @@ void Instance::save(std::span<double> state) const {
   state[place_of_control] = force_control_ ? 1 : 0;
   state[place_of_flags] = flags_;
   auto next = std::copy(inputs_.begin(), inputs_.end(), state.begin() + singles);
+  next = std::copy(angles_.begin(), angles_.end(), next);
   next = std::copy(signals_.begin(), signals_.end(), next);
   std::copy(skin_.state().begin(), skin_.state().end(), next);
 }
@@ -129,7 +147,7 @@ bool Instance::restore(std::span<const double> state) {
   const auto is_count = [&](std::size_t place, double end) {
     return state[place] >= 0 && state[place] < end && std::trunc(state[place]) == state[place];
   };
-  const auto own = state.first(singles + inputs_.size() + signals_.size());
+  const auto own = state.first(state.size() - skin_.state().size());
   if (!is_count(place_of_mode, static_cast<double>(Mode::terminated) + 1) ||
       !is_count(place_of_control, 2) || !is_count(place_of_flags, flag::all + 1) ||
       !std::ranges::all_of(own, [](double value) { return std::isfinite(value); }) ||
@@ -141,9 +159,13 @@ bool Instance::restore(std::span<const double> state) {
   force_control_ = state[place_of_control] != 0;
   flags_ = static_cast<std::uint32_t>(state[place_of_flags]);
   followed_ = false;
-  std::copy_n(own.begin() + singles, inputs_.size(), inputs_.begin());
-  std::copy_n(own.begin() + static_cast<std::ptrdiff_t>(singles + inputs_.size()), signals_.size(),
-              signals_.begin());
+  auto take = [from = own.begin() + singles](auto& values) mutable {
+    std::copy_n(from, values.size(), values.begin());
+    from += static_cast<std::ptrdiff_t>(values.size());
+  };
+  take(inputs_);
+  take(angles_);
+  take(signals_);
   return true;
 }
 

@@ -42,7 +42,11 @@ public:
 
   /// Value of a real variable by its reference; null for none.
   const double* real(std::size_t reference);
+  bool is_output(std::size_t reference) const {
+    return reference >= reference::signals && reference - reference::signals < signals_.size();
+  }
   double* input(std::size_t reference);
+  bool inputs_are_finite() const;
   /// Takes the coefficient of friction to the nearest trained one. @returns whether it changed
   bool limit_friction();
   std::uint32_t flags();
@@ -58,6 +62,7 @@ public:
 
 private:
   bool trained(double friction) const;
+  double* find_input(std::size_t reference);
   /// Takes memory where the coefficient of friction is another than before.
   std::uint32_t evaluate(double time);
   /// In initialization mode outputs follow the inputs, whatever was asked before.
@@ -71,6 +76,8 @@ private:
   Mode mode_ = Mode::instantiated;
   double time_ = 0;
   std::array<double, reference::inputs> inputs_{};
+  std::vector<std::size_t> trained_angles_;
+  Skin::Angles angles_{};
   bool force_control_ = false;
   bool followed_ = false;
   std::uint32_t flags_ = 0;

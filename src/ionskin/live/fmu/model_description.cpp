@@ -16,6 +16,7 @@ constexpr std::string_view units = R"(  <UnitDefinitions>
     <Unit name="m2"><BaseUnit m="2"/></Unit>
     <Unit name="N"><BaseUnit kg="1" m="1" s="-2"/></Unit>
     <Unit name="N.m"><BaseUnit kg="1" m="2" s="-2"/></Unit>
+    <Unit name="rad"><BaseUnit rad="1"/></Unit>
     <Unit name="C"><BaseUnit A="1" s="1"/></Unit>
     <Unit name="A"><BaseUnit A="1"/></Unit>
   </UnitDefinitions>

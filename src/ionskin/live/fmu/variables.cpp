@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <map>
 
 namespace ionskin::live::fmu {
@@ -61,7 +62,30 @@ std::string description_of(const std::string& name) {
                                       : "Charge of a taxel";
 }
 
+Variable angle_variable(const SkinData& data, std::size_t angle) {
+  constexpr std::array names{"roll", "pitch", "yaw"};
+  const std::string description =
+      angle < 2 ? fmt::format("{} of the slider, as slider.{} of a case; trained for tilts up to "
+                              "{:.6g} rad, roll and pitch together",
+                              angle == 0 ? "Roll" : "Pitch", names[angle], data.steepest)
+                : fmt::format("Yaw of the slider, as slider.yaw of a case; trained up to {:.6g} "
+                              "rad/s",
+                              data.fastest_turn);
+  return {names[angle], Kind::real, Causality::input, "rad", description, 0};
+}
+
 } // namespace
+
+std::vector<std::size_t> trained_angles(const SkinData& data) {
+  std::vector<std::size_t> angles;
+  if (data.steepest > 0) {
+    angles = {0, 1};
+  }
+  if (data.fastest_turn > 0) {
+    angles.push_back(2);
+  }
+  return angles;
+}
 
 std::vector<Variable> variables(const SkinData& data) {
   std::vector<Variable> list;
@@ -91,11 +115,14 @@ std::vector<Variable> variables(const SkinData& data) {
   list.push_back(
       {"flags", Kind::integer, Causality::output, "",
        "Sum of 1 outside the trained places, 2 loads, 4 speeds, 8 contact not converged, 16 an "
-       "input is not finite, 32 a negative force",
+       "input is not finite, 32 a negative force, 64 steeper than trained",
        0});
   const Skin skin(data);
   for (const std::string& name : skin.names()) {
     list.push_back({name, Kind::real, Causality::output, unit_of(name), description_of(name), 0});
+  }
+  for (const std::size_t angle : trained_angles(data)) {
+    list.push_back(angle_variable(data, angle));
   }
   return list;
 }

@@ -23,13 +23,21 @@ struct Variable {
   double start = 0; ///< unless an output
 };
 
+<<<<<<< HEAD
 /// Value references of FMI: indices of the variables, inputs first.
+=======
+/// Value references. Those of the angles that were trained follow the signals.
+>>>>>>> robot
 namespace reference {
 inline constexpr std::size_t x = 0, y = 1, height = 2, force = 3, friction = 4, inputs = 5,
                              force_control = 5, flags = 6, signals = 7;
 } // namespace reference
 
-/// Inputs and the parameter, flags, then the signals of a skin in its order.
+/// Inputs and the parameter, flags, the signals of a skin in its order, then the angles.
 std::vector<Variable> variables(const SkinData& data);
+
+/// Angles that are inputs, in their order: roll and pitch (0, 1) where a tilt was trained, yaw (2)
+/// where a turn was.
+std::vector<std::size_t> trained_angles(const SkinData& data);
 
 } // namespace ionskin::live::fmu

@@ -92,6 +92,16 @@ int ionskin_live_stiffness(ionskin_live_skin* skin, double stiffness[36]) {
   return skin->skin.stiffness(std::span<double, 36>(stiffness, 36)) ? 1 : 0;
 }
 
+size_t ionskin_live_charge_count(const ionskin_live_skin* skin) {
+  return skin->skin.charges();
+}
+
+int ionskin_live_charge_derivatives(ionskin_live_skin* skin, double* derivatives) {
+  return skin->skin.charge_derivatives({derivatives, skin->skin.charges() * ionskin::live::motions})
+             ? 1
+             : 0;
+}
+
 size_t ionskin_live_state_size(const ionskin_live_skin* skin) {
   return skin->skin.state().size();
 }

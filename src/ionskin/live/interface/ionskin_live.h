@@ -67,6 +67,13 @@ void ionskin_live_run(ionskin_live_skin* skin, size_t count, const double* times
    not alike on both halves is NaN: ways along y, turns about x and z. */
 int ionskin_live_stiffness(ionskin_live_skin* skin, double stiffness[36]);
 
+/* Charges among the signals: those of top and bottom and of the taxels. */
+size_t ionskin_live_charge_count(const ionskin_live_skin* skin);
+/* Derivatives of the last step's charges by such a motion, [charge_count][6], in C/m and C/rad: of
+   the signals whose names begin with charge_, in their order. Takes no memory. 1; or 0, and NaN,
+   as `ionskin_live_stiffness`, which also says what is NaN of a skin that is computed as one half. */
+int ionskin_live_charge_derivatives(ionskin_live_skin* skin, double* derivatives);
+
 /* Many steps, with angles [count][3]. */
 void ionskin_live_run_posed(ionskin_live_skin* skin, size_t count, const double* times,
                             const double* positions, const double* angles, int kind,

@@ -100,6 +100,15 @@ public:
     return ionskin_live_stiffness(handle_.get(), values.data()) != 0;
   }
 
+  /// Derivatives of the last step's charges by a rigid motion of the slider, as
+  /// `ionskin_live_charge_derivatives` tells them: [signals whose names begin with charge_][6 ways
+  /// and turns].
+  /// @param values [ionskin_live_charge_count(handle())][6]
+  /// @returns whether they are known; if not they are NaN
+  bool charge_derivatives(double* values) noexcept {
+    return ionskin_live_charge_derivatives(handle_.get(), values) != 0;
+  }
+
   /// Numbers of a state.
   std::size_t state_size() const noexcept { return ionskin_live_state_size(handle_.get()); }
   /// Copies the state, for `restore`. @param state [state_size()]
