@@ -207,7 +207,7 @@ class Recording(ProgramTest):
             (good, "--column", "speed=a"): "is not a role",
             (good, "--column", "x=a [kg]", "--column", "y=b"): "does not convert to m",
             (good, "--column", "x=a", "--column", "y=b", "--tool", "0,0,1 mm"): "needs a quaternion",
-            (good, "--column", "x=a", "--column", "y=b", "--x-axis", "1,1,0"): "right angle",
+            (good, "--column", "x=a", "--column", "y=b", "--x-axis", "1,1,0"): "are not perpendicular",
             (good, "--column", "x=a", "--column", "y=b", "--rate", "20 kg"): "is not a quantity in Hz",
             (good, "--column", "x=a", "--column", "y=b", "--rate", "10 MHz"): "a path may have 1000000",
             (good, "--column", "x=a", "--column", "y=b", "--contact-force", "50 N"): "never rises above 50 N",
