@@ -17,7 +17,7 @@ SkinData small_skin();
 /// and drag it along. Within 20 N the contact stays within 11 cells across.
 SkinData sphere_on_many_cells(std::size_t across);
 
-/// A small skin of 9 cells across under a friction law with its parameters
+/// Such a skin of 9 cells across, over a range of places, under a friction law with its parameters.
 SkinData sphere_under(const std::string& law);
 
 /// A skin whose slider's underside is turned by so much about x (0) or y (1) through its centre.
