@@ -8,6 +8,10 @@ SECTIONS = {"title": "Title", "skin": "Skin", "materials": "Materials", "slider"
             "contact": "Contact", "electrochemistry": "Ions", "coupling": "Coupling", "strain": "Strain source",
             "readout": "Readout", "numerics": "Accuracy", "output": "Output"}
 
+SEVERAL = """A list `[[slider]]` puts several sliders on the skin. An entry takes the keys of `slider` below, and as `motion.KEY` and `contact.KEY` keys of
+these sections of its own; `--set slider[1].radius="9 mm"` changes the second ([several sliders](motion.md#several-sliders-on-one-skin)).
+"""
+
 HEAD = """# Case reference
 
 Made from the table by which the program reads and checks a case: `ionskin keys --json`. Quantities are texts with a
@@ -60,6 +64,7 @@ def case_reference(program):
         if name != section:
             parts.append(f"## {SECTIONS.get(name, name.capitalize())}\n")
             section = name
+            parts.extend([SEVERAL] if name == "slider" else [])
         parts.append(entry(row))
     return HEAD + index + "\n" + "\n".join(parts)
 

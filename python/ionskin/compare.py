@@ -11,6 +11,7 @@ import numpy
 
 from .errors import exit_on
 from .page import quantities, report_text
+from .reading.sliders import SHARED
 from .results import Results
 from .words import aligned, percent, quantity, short
 
@@ -27,9 +28,17 @@ def flat(value, prefix=""):
     return {prefix: value}
 
 
+def with_all_sliders(results):
+    """The case of a run; of several sliders each entry of the list holds its motion and contact."""
+    if len(results.sliders) == 1:
+        return results.case
+    entries = [case["slider"] | {name: case.get(name, {}) for name in SHARED} for case in results.sliders]
+    return {name: value for name, value in results.case.items() if name not in SHARED} | {"slider": entries}
+
+
 def parameters(first, second, defaults):
     """Rows of key and both values, as texts, where the cases differ. What a case leaves out has its default."""
-    one, two = flat(first.case), flat(second.case)
+    one, two = flat(with_all_sliders(first)), flat(with_all_sliders(second))
     rows = []
     for key in dict.fromkeys([*one, *two]):
         default = defaults.get(re.sub(r"\[\d+\]", "[]", key))

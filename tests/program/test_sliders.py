@@ -74,6 +74,13 @@ class Sliders(ProgramTest):
         for words in ("Slider 2", "Motion of slider 2", "Normal force, mid-slide, slider 2", "Force on the full skin, slider 2"):
             self.assertIn(words, page)
 
+    def test_runs_are_compared_slider_by_slider(self):
+        for name, friction in (("smooth", 0.2), ("rough", 0.4)):
+            self.run_case("both.toml", "-o", name, "--only", "mechanics", *FAST, "--set", f"slider[1].contact.friction={friction}")
+        told = self.run_program("compare", "smooth", "rough").stdout
+        self.assertRegex(told, r"slider\[1\]\.contact\.friction +0\.2 +0\.4")
+        self.assertRegex(told, "(?i)tangential force, mid-slide, slider 2")
+
     def test_what_refuses_several_sliders(self):
         near = ("--set", 'slider[1].start=["4 mm", "1 mm"]')
         for arguments, problem in (
