@@ -28,7 +28,7 @@ ROOMS = {
     "readout": ["."],
     "results": ["hdf5", "strain_file", "."],
     "live": ["products", "corrections", ".", "errors", "batch", "interface", "fmu", "reduction", "training"],
-    "study": ["store", "stations", "errors", "run", "impedance", "sweep", "fit"],
+    "study": ["store", "metrics", "errors", "run", "impedance", "sweep", "fit"],
 }
 # header prefix -> the folders that may include it
 LIBRARIES = {

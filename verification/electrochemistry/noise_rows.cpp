@@ -3,7 +3,7 @@
 #include "electrochemistry/rows.hpp"
 
 #include "ionskin/base/constants.hpp"
-#include "ionskin/study/stations/sample_noise.hpp"
+#include "ionskin/study/metrics/sample_noise.hpp"
 
 #include <cmath>
 #include <fmt/format.h>

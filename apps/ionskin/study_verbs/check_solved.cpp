@@ -10,7 +10,7 @@
 #include "ionskin/mechanics/path/find_footprint.hpp"
 #include "ionskin/mesh/footprint.hpp"
 #include "ionskin/planning/cost_estimate.hpp"
-#include "ionskin/study/stations/given_strain.hpp"
+#include "ionskin/study/store/given_strain.hpp"
 
 #include <fmt/format.h>
 

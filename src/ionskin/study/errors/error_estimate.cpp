@@ -18,8 +18,8 @@
 #include "ionskin/readout/tail_current.hpp"
 #include "ionskin/study/errors/convergence.hpp"
 #include "ionskin/study/errors/signal_difference.hpp"
-#include "ionskin/study/stations/charge_rounding.hpp"
-#include "ionskin/study/stations/slip_metrics.hpp"
+#include "ionskin/study/metrics/charge_rounding.hpp"
+#include "ionskin/study/metrics/slip_metrics.hpp"
 
 #include <algorithm>
 #include <cmath>

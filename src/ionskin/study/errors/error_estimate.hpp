@@ -5,7 +5,7 @@
 #include "ionskin/case/case.hpp"
 #include "ionskin/electrochemistry/output/ion_solution.hpp"
 #include "ionskin/study/errors/error_parts.hpp"
-#include "ionskin/study/stations/read_out.hpp"
+#include "ionskin/study/metrics/read_out.hpp"
 #include "ionskin/study/store/fit_data.hpp"
 #include "ionskin/study/store/mechanics_record.hpp"
 

@@ -5,7 +5,7 @@
 #include "ionskin/study/errors/imposed_quantities.hpp"
 #include "ionskin/study/errors/signal_difference.hpp"
 #include "ionskin/study/errors/stated_errors.hpp"
-#include "ionskin/study/stations/read_out.hpp"
+#include "ionskin/study/metrics/read_out.hpp"
 
 #include <string>
 #include <vector>

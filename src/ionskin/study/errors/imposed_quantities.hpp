@@ -4,7 +4,7 @@
 #include "ionskin/case/case.hpp"
 #include "ionskin/readout/metrics.hpp"
 #include "ionskin/readout/signals.hpp"
-#include "ionskin/study/stations/read_out.hpp"
+#include "ionskin/study/metrics/read_out.hpp"
 
 #include <vector>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "ionskin/readout/signals.hpp"
-#include "ionskin/study/stations/read_out.hpp"
+#include "ionskin/study/metrics/read_out.hpp"
 
 #include <map>
 #include <string>

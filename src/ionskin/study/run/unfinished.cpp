@@ -3,10 +3,10 @@
 
 #include "ionskin/base/files/atomic_file.hpp"
 #include "ionskin/study/errors/error_estimate.hpp"
+#include "ionskin/study/metrics/audits.hpp"
+#include "ionskin/study/metrics/read_out.hpp"
 #include "ionskin/study/run/warnings.hpp"
 #include "ionskin/study/run/write_outputs.hpp"
-#include "ionskin/study/stations/audits.hpp"
-#include "ionskin/study/stations/read_out.hpp"
 
 #include <fmt/format.h>
 

@@ -2,10 +2,10 @@
 #pragma once
 
 #include "ionskin/electrochemistry/output/ion_solution.hpp"
+#include "ionskin/study/metrics/audits.hpp"
+#include "ionskin/study/metrics/read_out.hpp"
 #include "ionskin/study/run/run_case.hpp"
 #include "ionskin/study/run/run_folder.hpp"
-#include "ionskin/study/stations/audits.hpp"
-#include "ionskin/study/stations/read_out.hpp"
 #include "ionskin/study/store/mechanics_record.hpp"
 
 #include <map>

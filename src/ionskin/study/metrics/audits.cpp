@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ionskin/study/stations/audits.hpp"
+#include "ionskin/study/metrics/audits.hpp"
 
 #include "ionskin/base/error.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ionskin/study/stations/read_out.hpp"
+#include "ionskin/study/metrics/read_out.hpp"
 
 #include "ionskin/base/largest.hpp"
 #include "ionskin/base/value_at.hpp"
@@ -18,8 +18,8 @@
 #include "ionskin/readout/tail_current.hpp"
 #include "ionskin/readout/taxels.hpp"
 #include "ionskin/readout/water_signals.hpp"
-#include "ionskin/study/stations/sample_noise.hpp"
-#include "ionskin/study/stations/slip_metrics.hpp"
+#include "ionskin/study/metrics/sample_noise.hpp"
+#include "ionskin/study/metrics/slip_metrics.hpp"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ionskin/study/stations/charge_rounding.hpp"
+#include "ionskin/study/metrics/charge_rounding.hpp"
 
 #include "ionskin/electrochemistry/coupling/driving_channel.hpp"
 #include "ionskin/history/shear_statistics.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ionskin/study/stations/slip_metrics.hpp"
+#include "ionskin/study/metrics/slip_metrics.hpp"
 
 #include "synthetic_contact.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ionskin/study/stations/given_strain.hpp"
+#include "ionskin/study/store/given_strain.hpp"
 
 #include "ionskin/base/error.hpp"
 #include "ionskin/base/files/file_copy.hpp"

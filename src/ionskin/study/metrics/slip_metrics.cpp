@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ionskin/study/stations/slip_metrics.hpp"
+#include "ionskin/study/metrics/slip_metrics.hpp"
 
 #include "ionskin/base/value_at.hpp"
 #include "ionskin/case/slider_motion.hpp"
 #include "ionskin/readout/circuit.hpp"
 #include "ionskin/readout/phases.hpp"
 #include "ionskin/readout/slip_precursor.hpp"
-#include "ionskin/study/stations/charge_rounding.hpp"
+#include "ionskin/study/metrics/charge_rounding.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ionskin/study/stations/sample_noise.hpp"
+#include "ionskin/study/metrics/sample_noise.hpp"
 
 #include "ionskin/base/constants.hpp"
 #include "ionskin/circuits/circuit.hpp"
