@@ -318,7 +318,8 @@ void ChannelField::set_strain_slopes(const Touch& touch, std::size_t first, std:
                         strain_.data());
 }
 
-/// Derivatives of the channel at its points, the norm of the strains of each, and of the amplitudes.
+/// Derivatives of the channel at its points, the norm of the strains of each, and of the
+/// amplitudes.
 void ChannelField::set_amplitude_slopes(const Touch& touch, std::size_t first,
                                         std::size_t lanes) noexcept {
   const std::size_t per = channel_.rows_per_point, points = own_point_.size(),
