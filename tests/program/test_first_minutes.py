@@ -113,7 +113,7 @@ class FirstMinutes(ProgramTest):
         self.run_program("init", "finger.toml", "--from", "finger")
         self.assertIn("sphere", (self.folder / "finger.toml").read_text())
         self.assertIn("paper, quick, finger", self.run_program("init", "x.toml", "--from", "hand", expect=2).stderr)
-        for name in ("quick", "taxels", "reciprocating", "waypoints", "pinch", "poroelastic", "bending", "strain_file"):
+        for name in ("quick", "taxels", "reciprocating", "waypoints", "rolling", "pinch", "poroelastic", "bending", "strain_file"):
             wrote = self.run_program("init", f"{name}.toml", "--from", name).stdout
             if name == "strain_file":  # what it needs is named, and serves
                 subprocess.run(re.search("First: (.*)", wrote)[1].split(), cwd=self.folder, check=True)
@@ -171,7 +171,7 @@ class FirstMinutes(ProgramTest):
     def test_starters_press_as_a_finger_does(self):
         self.run_program("init", "first.toml")
         self.assertRegex((self.folder / "first.toml").read_text(), r"preload = \"1 N\"")
-        for name in ("quick", "finger", "taxels", "reciprocating", "waypoints", "poroelastic"):
+        for name in ("quick", "finger", "taxels", "reciprocating", "waypoints", "rolling", "poroelastic"):
             text = self.starter(name)
             pressed = [float(newtons) for newtons in re.findall(r'^(?:preload|force) = "(.*) N"', text, re.MULTILINE)]
             self.assertTrue(pressed and all(1 <= newtons <= 10 for newtons in pressed), name)
@@ -190,7 +190,7 @@ class FirstMinutes(ProgramTest):
 
     @long_test
     def test_so_do_those_with_a_contact(self):
-        self.ends_without_avoidable_warning("quick", "taxels", "poroelastic", "finger", "reciprocating", "waypoints", "pinch")
+        self.ends_without_avoidable_warning("quick", "taxels", "poroelastic", "finger", "reciprocating", "waypoints", "rolling", "pinch")
 
     def test_an_edit_of_the_shape_does_not_silently_keep_the_plan_of_another(self):
         ball = ("check", QUICK, "--set", "slider.shape=sphere", "--set", "slider.radius=8 mm")

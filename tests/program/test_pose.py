@@ -7,9 +7,10 @@ import unittest
 import h5py
 import numpy
 
-from program import QUICK, SMALL, ProgramTest, metric, signals
+from program import QUICK, ROOT, SMALL, ProgramTest, metric, signals
 
 MECHANICS = (*SMALL, "--set", "skin.sides=free", "--only", "mechanics", "--quiet")
+ROLLING = ROOT / "cases" / "rolling.toml"
 ROWS = """time [s], x [mm], y [mm], height [um], pitch [deg], yaw [deg]
 0,   4.5, 1, 1000, 0,   0
 0.5, 4.5, 1, -2,   0,   0
@@ -46,6 +47,31 @@ class Pose(ProgramTest):
         with h5py.File(self.folder / "out" / "results.h5") as file:
             self.assertEqual(file["path/moment_z"].attrs["unit"], "N m")
             self.assertAlmostEqual(numpy.interp(0.7, file["path/time"][:], file["path/moment_z"][:]) / left, 1, delta=1e-6)
+
+    def test_a_ball_that_rolls_transmits_no_friction_and_one_that_slides_all_of_it(self):
+        """Free rolling takes next to no tangential force (Carter 1926; Johnson, Contact Mechanics, 1985, section 8.3)."""
+        mechanics = ("--set", "numerics.mesh_refinement=0.8", "--set", "numerics.time_refinement=1", "--set",
+                     "numerics.error_estimate=off", "--only", "mechanics", "--quiet", "--no-report")
+        text = ROLLING.read_text()
+        self.write("rolling.toml", text)
+        sliding = re.sub(r"(?m)^pitch = .*\n", "", text)
+        for x in ("5.757 mm", "5.757 mm", "9.243 mm", "9.243 mm"):
+            sliding = sliding.replace('position = ["7.5 mm"', f'position = ["{x}"', 1)
+        self.write("sliding.toml", sliding)
+        self.run_case("rolling.toml", "-o", "rolled", *mechanics)
+        self.run_case("sliding.toml", "-o", "slid", *mechanics)
+        rolled, slid = signals(self.folder / "rolled"), signals(self.folder / "slid")
+        rolls = (rolled["time"] > 0.5) & (rolled["time"] <= 2)
+        limit = 0.3 * rolled["normal_force"][rolls]
+        self.assertGreater(rolls.sum(), 10)
+        self.assertLess(numpy.abs(rolled["tangential_force_x"][rolls] / limit).max(), 1e-3)
+        self.assertGreater(rolled["stick_share"][rolls].min(), 0.99)
+        slides = (slid["time"] > 0.6) & (slid["time"] <= 2)
+        numpy.testing.assert_allclose(slid["tangential_force_x"][slides], 0.3 * slid["normal_force"][slides], rtol=1e-3)
+        # The contact goes from one side of the point about which the ball is tilted to the other.
+        pitch = numpy.interp(rolled["time"][rolls], (0.5, 2), numpy.radians((-5, 5)))
+        arm = rolled["moment_y"][rolls] / rolled["normal_force"][rolls]
+        numpy.testing.assert_allclose(arm, 20e-3 * numpy.sin(pitch), atol=0.03 * 20e-3 * numpy.sin(pitch[-1]))
 
     def test_what_refuses_a_pose(self):
         tilted = ("--set", "slider.pitch=1 deg")

@@ -31,6 +31,8 @@ std::vector<Row> solid_rows(const Options& options);
 std::vector<Row> pose_rows(const Options& options);
 /// M18: several sliders on one skin.
 std::vector<Row> several_sliders_rows(const Options& options);
+/// M19: a cylinder that rolls, with creep and without.
+std::vector<Row> rolling_rows(const Options& options);
 /// Observed orders of reported averages under numerics.mesh_refinement, in plane strain.
 std::vector<Row> convergence_rows(const Options& options);
 

@@ -39,11 +39,11 @@ void add_init(CLI::App& app, Command& command) {
           "Case to start from: finger (a fingertip strokes the skin with 1 N), quick (a block, "
           "seconds), paper (the article's block, 65 N, full accuracy), taxels (four parts of the "
           "top electrode), reciprocating "
-          "(back and forth), waypoints (a fingertip draws an arc with 1 to 2 N), pinch "
-          "(two fingertips), poroelastic (moving water), bending (a wet strip, no slider), "
-          "strain_file (a shear history of your own)")
+          "(back and forth), waypoints (a fingertip draws an arc with 1 to 2 N), rolling "
+          "(a ball rolls with 5 N), pinch (two fingertips), poroelastic (moving water), "
+          "bending (a wet strip, no slider), strain_file (a shear history of your own)")
       ->check(CLI::IsMember({"paper", "quick", "finger", "taxels", "reciprocating", "waypoints",
-                             "pinch", "poroelastic", "bending", "strain_file"}))
+                             "rolling", "pinch", "poroelastic", "bending", "strain_file"}))
       ->capture_default_str();
   set_when_parsed(*verb, options, command);
 }

@@ -22,13 +22,14 @@ struct Starter {
   const char* summary;
 };
 
-constexpr std::array<Starter, 10> starters{{
+constexpr std::array<Starter, 11> starters{{
     {"quick", "A first look", "A block with rounded edges presses with 2 N and slides: coarse."},
     {"finger", "A fingertip", "A sphere presses with 1 N and strokes the skin."},
     {"taxels", "Taxels", "The same touch with 2 N; the top electrode in four named parts."},
     {"reciprocating", "Back and forth",
      "A fingertip rubs with 2 N: four strokes, a rest at each turn."},
     {"waypoints", "A path", "A fingertip draws an arc through waypoints, with 1 N to 2 N."},
+    {"rolling", "A rolling ball", "A rubber ball lands with 5 N, rolls 3.5 mm and lifts."},
     {"pinch", "Two fingers",
      "Two fingertips press with 1 N and 1.5 N and draw towards each other."},
     {"poroelastic", "Moving water",
