@@ -23,11 +23,8 @@ struct Variable {
   double start = 0; ///< unless an output
 };
 
-<<<<<<< HEAD
-/// Value references of FMI: indices of the variables, inputs first.
-=======
-/// Value references. Those of the angles that were trained follow the signals.
->>>>>>> robot
+/// Value references of FMI: indices of the variables, inputs first; those of the angles that were
+/// trained follow the signals.
 namespace reference {
 inline constexpr std::size_t x = 0, y = 1, height = 2, force = 3, friction = 4, inputs = 5,
                              force_control = 5, flags = 6, signals = 7;
