@@ -23,7 +23,7 @@ struct Variable {
   double start = 0; ///< unless an output
 };
 
-/// Value references of FMI: indices of the variables, inputs first.
+/// Value references.
 namespace reference {
 inline constexpr std::size_t x = 0, y = 1, height = 2, force = 3, friction = 4, inputs = 5,
                              force_control = 5, flags = 6, signals = 7;
