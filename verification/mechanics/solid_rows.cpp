@@ -15,9 +15,9 @@ namespace {
 
 using Interval = std::array<double, 2>;
 
-constexpr double length = 1e-3, width = 0.6e-3;
-constexpr std::array<Interval, 2> columns{{{0.3e-3, 0.4e-3}, {0.4e-3, 0.5e-3}}};
-constexpr Interval row{0.15e-3, 0.3e-3};
+constexpr double block_length = 1e-3, block_width = 0.6e-3;
+constexpr std::array<Interval, 2> loaded_columns{{{0.3e-3, 0.4e-3}, {0.4e-3, 0.5e-3}}};
+constexpr Interval loaded_row{0.15e-3, 0.3e-3};
 /// Forces on each cell of the half that is meshed: downwards, along x, along y [N].
 constexpr std::array<std::array<double, 3>, 2> forces{{{1.0, 0.2, 0.1}, {0.7, 0.4, -0.1}}};
 /// In the core, not on lines of any mesh [m].
@@ -35,19 +35,20 @@ struct Answer {
 
 Skin small_skin() {
   Skin skin = baseline_case().skin;
-  skin.length = length;
-  skin.width = width;
+  skin.length = block_length;
+  skin.width = block_width;
   return skin;
 }
 
 Answer by_layers() {
   const Skin skin = small_skin();
-  const double x = columns[0][1], y = width / 2;
+  const double x = loaded_columns[0][1], y = block_width / 2;
   const finite_layers::ContactGrid grid{
-      {columns[0][0] - x, 0, columns[1][1] - x}, {row[0] - y, 0}, true};
+      {loaded_columns[0][0] - x, 0, loaded_columns[1][1] - x}, {loaded_row[0] - y, 0}, true};
   const finite_layers::LayeredSkin layers(
       skin, grid,
-      finite_layers::skin_resolution(finite_layers::elastic_layers(skin), {columns[0][0], row[0]}));
+      finite_layers::skin_resolution(finite_layers::elastic_layers(skin),
+                                     {loaded_columns[0][0], loaded_row[0]}));
   std::vector<double> given;
   for (const auto& force : forces) {
     given.insert(given.end(), force.begin(), force.end());
@@ -59,8 +60,8 @@ Answer by_layers() {
   for (const auto& place : places) {
     const finite_layers::FieldGrid asked{{{place[0], place[0]}},
                                          {{place[1], place[1]}},
-                                         {columns[0][0], columns[0][1]},
-                                         {row[0], row[1]}};
+                                         {loaded_columns[0][0], loaded_columns[0][1]},
+                                         {loaded_row[0], loaded_row[1]}};
     const auto field =
         layers.fields({place[2] - skin.core_bottom()}, 0.1e-3).at({{asked, {x, y}, given}}).front();
     for (const auto& component : field.core.component) {
@@ -97,7 +98,8 @@ Answer by_elements(int parts) {
   }
   std::vector<SolidElements::Patch> patches;
   for (std::size_t cell = 0; cell < 2; ++cell) {
-    patches.push_back({columns[cell], row, {forces[cell][1], forces[cell][2], -forces[cell][0]}});
+    patches.push_back(
+        {loaded_columns[cell], loaded_row, {forces[cell][1], forces[cell][2], -forces[cell][0]}});
   }
   const SolidElements solid({{divided({0, 0.1e-3, 0.23e-3, 0.3e-3, 0.35e-3, 0.4e-3, 0.45e-3, 0.5e-3,
                                        0.57e-3, 0.7e-3, 1e-3},
@@ -106,8 +108,8 @@ Answer by_elements(int parts) {
                               divided({0, 10e-6, 100e-6, 190e-6, 200e-6}, parts)}},
                             laws, patches);
   Answer answer;
-  for (const Interval& column : columns) {
-    const auto mean = solid.mean_of_top(column, row);
+  for (const Interval& column : loaded_columns) {
+    const auto mean = solid.mean_of_top(column, loaded_row);
     answer.surface.insert(answer.surface.end(), {-mean[2], mean[0], mean[1]});
   }
   for (const auto& place : places) {
@@ -115,7 +117,7 @@ Answer by_elements(int parts) {
     answer.core.insert(answer.core.end(), strain.begin(), strain.end());
   }
   for (const Interval& film : {Interval{0, 10e-6}, Interval{190e-6, 200e-6}}) {
-    const auto strain = solid.mean_strain({columns[0], row, film});
+    const auto strain = solid.mean_strain({loaded_columns[0], loaded_row, film});
     answer.films.insert(answer.films.end(), {strain[0], strain[1], strain[5]});
   }
   return answer;
