@@ -33,9 +33,9 @@ void lagrange_slope(const std::vector<double>& lines, double at,
   }
 }
 
-using Weights = std::array<double, most_lines>;
+using LineWeights = std::array<double, most_lines>;
 
-void add_nodes(const PlaceMap& map, const Weights& x, const Weights& y,
+void add_nodes(const PlaceMap& map, const LineWeights& x, const LineWeights& y,
                std::span<double> amplitudes) noexcept {
   std::fill(amplitudes.begin(), amplitudes.end(), 0.0);
   const std::size_t modes = map.modes();
@@ -52,7 +52,7 @@ void add_nodes(const PlaceMap& map, const Weights& x, const Weights& y,
 
 void place_slopes(const PlaceMap& map, const std::array<double, 2>& place, std::size_t direction,
                   std::span<double> slopes) noexcept {
-  Weights x{}, y{};
+  LineWeights x{}, y{};
   (direction == 0 ? lagrange_slope : lagrange)(map.lines_x, place[0], x);
   (direction == 1 ? lagrange_slope : lagrange)(map.lines_y, place[1], y);
   add_nodes(map, x, y, slopes);
@@ -60,7 +60,7 @@ void place_slopes(const PlaceMap& map, const std::array<double, 2>& place, std::
 
 void place_amplitudes(const PlaceMap& map, const std::array<double, 2>& place,
                       std::span<double> amplitudes) noexcept {
-  Weights x{}, y{};
+  LineWeights x{}, y{};
   lagrange(map.lines_x, place[0], x);
   lagrange(map.lines_y, place[1], y);
   add_nodes(map, x, y, amplitudes);
