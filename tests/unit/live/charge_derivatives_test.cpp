@@ -56,13 +56,13 @@ SkinData charged_sphere(const std::string& law) {
 }
 
 /// Inputs of a step.
-struct Given {
+struct StepInputs {
   double time = 0;
   std::array<double, 2> place{};
   double depth = 0, yaw = 0;
 };
 
-std::vector<double> charges_of(Skin& skin, const Given& given) {
+std::vector<double> charges_of(Skin& skin, const StepInputs& given) {
   std::vector<double> signals(skin.names().size()), charges;
   EXPECT_EQ(skin.step(given.time, given.place, {0, 0, given.yaw}, false, -given.depth, signals),
             0u);
@@ -77,10 +77,10 @@ std::vector<double> charges_of(Skin& skin, const Given& given) {
 
 /// Differences over a step from a state by each motion; of a first step, which drags nothing, by
 /// those that press.
-void expect_derivatives(const SkinData& data, const std::vector<Given>& before, const Given& given,
-                        double way, double tolerance) {
+void expect_derivatives(const SkinData& data, const std::vector<StepInputs>& before,
+                        const StepInputs& given, double way, double tolerance) {
   Skin skin(data);
-  for (const Given& step : before) {
+  for (const StepInputs& step : before) {
     charges_of(skin, step);
   }
   const std::vector<double> state(skin.state().begin(), skin.state().end());
@@ -99,7 +99,7 @@ void expect_derivatives(const SkinData& data, const std::vector<Given>& before, 
     std::array<std::vector<double>, 2> at;
     for (const std::size_t end : {0u, 1u}) {
       const double change = (end == 0 ? -0.5 : 0.5) * step;
-      Given there = given;
+      StepInputs there = given;
       there.place[0] += motion == 0 ? change : 0;
       there.place[1] += motion == 1 ? change : 0;
       there.depth -= motion == 2 ? change : 0;
@@ -122,14 +122,14 @@ void expect_derivatives(const SkinData& data, const std::vector<Given>& before, 
   }
 }
 
-constexpr std::array<double, 2> landing_place{3.1e-3, 1.03e-3};
-constexpr double pressed_depth = 8e-6;
+constexpr std::array<double, 2> charged_place{3.1e-3, 1.03e-3};
+constexpr double charged_depth = 8e-6;
 
 TEST(LiveChargeDerivatives, AreDifferencesOfStepsWhereAllSticks) {
   SkinData data = charged_sphere("coulomb");
   data.friction = data.highest_friction = 2;
-  const Given landed{0, landing_place, pressed_depth},
-      next{1e-3, {landing_place[0] + 2e-8, landing_place[1] + 1e-8}, pressed_depth + 1e-8};
+  const StepInputs landed{0, charged_place, charged_depth},
+      next{1e-3, {charged_place[0] + 2e-8, charged_place[1] + 1e-8}, charged_depth + 1e-8};
   expect_derivatives(data, {landed}, next, 4e-9, 1e-2);
   expect_derivatives(data, {}, landed, 4e-9, 1e-2);
 }
@@ -137,10 +137,10 @@ TEST(LiveChargeDerivatives, AreDifferencesOfStepsWhereAllSticks) {
 TEST(LiveChargeDerivatives, AreDifferencesOfStepsUnderEveryFriction) {
   for (const char* law : {"coulomb", "regularised", "viscous", "stribeck", "anisotropic"}) {
     SCOPED_TRACE(law);
-    const auto [x, y] = landing_place;
-    const Given landed{0, landing_place, pressed_depth},
-        sliding{1e-2, {x + 2e-4, y + 1e-4}, pressed_depth},
-        on{1.1e-2, {x + 2.1e-4, y + 1.08e-4}, pressed_depth, 1e-4};
+    const auto [x, y] = charged_place;
+    const StepInputs landed{0, charged_place, charged_depth},
+        sliding{1e-2, {x + 2e-4, y + 1e-4}, charged_depth},
+        on{1.1e-2, {x + 2.1e-4, y + 1.08e-4}, charged_depth, 1e-4};
     expect_derivatives(charged_sphere(law), {landed, sliding}, on, 1e-8, 1e-2);
   }
 }
@@ -151,8 +151,8 @@ TEST(LiveChargeDerivatives, AreNoneInTheAirAndUnknownWithoutAStep) {
   std::vector<double> derivatives(motions * skin.charges());
   EXPECT_FALSE(skin.charge_derivatives(derivatives));
   EXPECT_TRUE(std::isnan(derivatives[0]));
-  charges_of(skin, {0, landing_place, pressed_depth});
-  charges_of(skin, {1e-3, landing_place, -1e-6});
+  charges_of(skin, {0, charged_place, charged_depth});
+  charges_of(skin, {1e-3, charged_place, -1e-6});
   ASSERT_TRUE(skin.charge_derivatives(derivatives));
   EXPECT_EQ(std::ranges::count(derivatives, 0.0), static_cast<std::ptrdiff_t>(derivatives.size()));
 }
@@ -162,7 +162,8 @@ TEST(LiveChargeDerivatives, LeaveTheStepsThatFollowAsTheyAre) {
   Skin skin(data), asked(data);
   std::vector<double> derivatives(motions * skin.charges());
   for (int i = 0; i < 20; ++i) {
-    const Given given{1e-3 * i, {landing_place[0] + 1e-6 * i, landing_place[1]}, pressed_depth};
+    const StepInputs given{
+        1e-3 * i, {charged_place[0] + 1e-6 * i, charged_place[1]}, charged_depth};
     EXPECT_EQ(charges_of(skin, given), charges_of(asked, given)) << i;
     ASSERT_TRUE(asked.charge_derivatives(derivatives));
   }
@@ -176,12 +177,12 @@ TEST(LiveChargeDerivatives, AreToldByCAndCxxAndOfAHalfSkinByItsSymmetricMotions)
   ionskin_live::Skin skin(path.string());
   std::filesystem::remove(path);
   Skin own(data);
-  charges_of(own, {0, landing_place, pressed_depth});
+  charges_of(own, {0, charged_place, charged_depth});
   std::vector<double> expected(motions * own.charges()), told(expected.size());
   ASSERT_TRUE(own.charge_derivatives(expected));
   EXPECT_EQ(ionskin_live_charge_count(skin.handle()), own.charges());
   EXPECT_FALSE(skin.charge_derivatives(told.data()));
-  skin.step(0, landing_place, ionskin_live::Height{-pressed_depth});
+  skin.step(0, charged_place, ionskin_live::Height{-charged_depth});
   ASSERT_TRUE(skin.charge_derivatives(told.data()));
   for (std::size_t i = 0; i < told.size(); ++i) {
     const std::size_t motion = i % motions;
