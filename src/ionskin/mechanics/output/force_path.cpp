@@ -41,7 +41,7 @@ ForcePath::Instant ForcePath::at(double time) const {
 
 ForcePath force_path(const ContactSolution& solution) {
   const std::vector<double>&x = solution.cell_lines_x, &y = solution.cell_lines_y;
-  ForcePath path{x, y, solution.mesh.half_model(), {}};
+  ForcePath path{x, y, {}, solution.mesh.half_model()};
   const std::size_t columns = x.size() - 1, cells = columns * (y.size() - 1);
   for (const SteppedInstant& instant : solution.stepped) {
     std::vector<double> force(3 * cells, 0.0);

@@ -16,8 +16,8 @@ struct ForcePath {
     std::vector<double> force;      ///< per cell normal (downwards), x, y [N]
   };
   std::vector<double> lines_x, lines_y; ///< cell edges from its centre [m]
-  bool half = false;             ///< cells of y < 0 alone: mirror images carry the mirrored forces
-  std::vector<Instant> instants; ///< ascending
+  std::vector<Instant> instants;        ///< ascending
+  bool half = false; ///< cells of y < 0 alone: mirror images carry the mirrored forces
 
   Instant at(double time) const;
 };
