@@ -10,13 +10,13 @@
 namespace ionskin::live {
 namespace {
 
-constexpr std::size_t rows = 61, columns = 17; // no multiples of what goes at once
+constexpr std::size_t product_rows = 61, product_columns = 17; // no multiples of what goes at once
 
 class LaneProducts : public testing::Test {
 protected:
   LaneProducts() {
-    for (std::size_t row = 0; row < rows; ++row) {
-      for (std::size_t column = 0; column < columns; ++column) {
+    for (std::size_t row = 0; row < product_rows; ++row) {
+      for (std::size_t column = 0; column < product_columns; ++column) {
         product.at(row, column) = number();
       }
     }
@@ -24,7 +24,7 @@ protected:
   float number() { return std::uniform_real_distribution<float>(-1, 1)(random); }
 
   std::mt19937 random{1};
-  LaneProduct product{rows, columns};
+  LaneProduct product{product_rows, product_columns};
   std::vector<std::uint32_t> counted{0, 3, 4, 11, 16};
 };
 
@@ -34,7 +34,7 @@ TEST_F(LaneProducts, TakesTheColumnsThatCount) {
     factor = number();
   }
   product.times(1, counted, factors.data(), result.data());
-  for (std::size_t row = 0; row < rows; ++row) {
+  for (std::size_t row = 0; row < product_rows; ++row) {
     double sum = 0;
     for (std::size_t i = 0; i < counted.size(); ++i) {
       sum += static_cast<double>(factors[i]) * static_cast<double>(product.at(row, counted[i]));
@@ -55,34 +55,35 @@ TEST_F(LaneProducts, OneLaneDoesNotFeelTheOthers) {
     }
     product.times(1, counted, alone.data(), own.data());
     product.times(most_lanes, counted, together.data(), all.data());
-    for (std::size_t row = 0; row < rows; ++row) {
+    for (std::size_t row = 0; row < product_rows; ++row) {
       EXPECT_EQ(all[lane * product.stride() + row], own[row]) << lane << " " << row;
     }
   }
 }
 
 TEST_F(LaneProducts, FewCrossesGiveASmoothMatrix) {
-  std::vector<double> smooth(rows * columns), rough(rows * columns);
+  std::vector<double> smooth(product_rows * product_columns), rough(product_rows * product_columns);
   for (std::size_t i = 0; i < smooth.size(); ++i) {
-    const double row = static_cast<double>(i % rows), column = static_cast<double>(i / rows);
+    const double row = static_cast<double>(i % product_rows),
+                 column = static_cast<double>(i / product_rows);
     smooth[i] = std::sin(0.1 * (row + column)); // two products
     rough[i] = static_cast<double>(number());
   }
   for (const auto& [matrix, least, most] :
-       {std::tuple{smooth, 2u, 2u}, {rough, static_cast<unsigned>(columns), 61u}}) {
-    const LowRank products = low_rank(matrix, rows, 1e-6);
+       {std::tuple{smooth, 2u, 2u}, {rough, static_cast<unsigned>(product_columns), 61u}}) {
+    const LowRank products = low_rank(matrix, product_rows, 1e-6);
     EXPECT_GE(products.rank, least);
     EXPECT_LE(products.rank, most);
     for (std::size_t i = 0; i < matrix.size(); ++i) {
       double sum = 0;
       for (std::size_t q = 0; q < products.rank; ++q) {
-        sum += static_cast<double>(products.columns[q * rows + i % rows]) *
-               static_cast<double>(products.rows[q * columns + i / rows]);
+        sum += static_cast<double>(products.columns[q * product_rows + i % product_rows]) *
+               static_cast<double>(products.rows[q * product_columns + i / product_rows]);
       }
       ASSERT_NEAR(sum, matrix[i], 3e-6) << i;
     }
   }
-  EXPECT_EQ(low_rank({}, rows, 1e-6).rank, 0u);
+  EXPECT_EQ(low_rank({}, product_rows, 1e-6).rank, 0u);
 }
 
 } // namespace
