@@ -124,7 +124,8 @@ TEST(SliderList, RefusesWhatDoesNotGoTogether) {
   EXPECT_THAT(message({"slider[0].motion.drive.stiffness=10 N/m"}),
               HasSubstr("slider[0] hangs on a drive"));
   EXPECT_THAT(
-      message({"slider[1].contact.law=adhesive", "slider[1].contact.work_of_adhesion=0.1 J/m2"}),
+      message({"slider[1].contact.law=adhesive", "slider[1].contact.work_of_adhesion=0.1 J/m2",
+               "slider[1].contact.cohesive_strength=1 MPa"}),
       HasSubstr("slider[1] adheres"));
 }
 
