@@ -77,8 +77,14 @@ function layout_problems() {
 const main = async (page, link) => {
   const wait = (what, ...rest) => page.waitForFunction(what, { timeout: 240000, polling: 50 }, ...rest);
   const click = async (text, within = "body") => {
-    const handle = await wait((wanted, scope) => [...document.querySelectorAll(`${scope} button, ${scope} a, ${scope} summary`)].find((one) => one.textContent.trim() === wanted && one.checkVisibility() && !one.disabled), text, within);
-    await handle.click();
+    for (let left = 5; left > 0; --left) {
+      const handle = await wait((wanted, scope) => [...document.querySelectorAll(`${scope} button, ${scope} a, ${scope} summary`)].find((one) => one.textContent.trim() === wanted && one.checkVisibility() && !one.disabled), text, within);
+      try {
+        return await handle.click();
+      } catch (error) { // the page was drawn anew between finding and clicking
+        if (left === 1 || !/detached/.test(error.message)) throw error;
+      }
+    }
   };
   const picture = async (name) => {
     for (const width of [1300, 390]) {
