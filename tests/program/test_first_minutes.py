@@ -107,7 +107,7 @@ class FirstMinutes(ProgramTest):
         self.assertIn("several runs", process.stdout)
         self.assertIn("fig01_model", self.run_program("report", "out", "--figure", "fig99", expect=2).stderr)
         self.assertIn("no differences", self.run_program("compare", "out", "out").stdout)
-        self.assertIn("signals.csv", self.run_program("compare", "out", "nowhere", expect=2).stderr)
+        self.assertIn("no folder nowhere", self.run_program("compare", "out", "nowhere", expect=2).stderr)
 
     def test_starter_cases_and_keys(self):
         self.run_program("init", "finger.toml", "--from", "finger")

@@ -202,7 +202,10 @@ TEST_F(LiveFmuWithAngles, StepsATiltedAndTurningSliderAsTheSkinDoes) {
         EXPECT_EQ(skin.step(i == 0 ? 0 : 1e-3 * (i - 1) + 1e-3, {2e-3 + 1e-6 * i, 1e-3}, angles(i),
                             false, -4e-7, expected),
                   0u);
-        EXPECT_EQ(get(), expected) << i;
+        const std::vector<double> found = get();
+        for (std::size_t k = 0; k < expected.size(); ++k) { // the instants may round otherwise
+          EXPECT_NEAR(found[k], expected[k], 1e-9 * std::abs(expected[k])) << i << " " << k;
+        }
       }
       if (round == 0 && i == 9) {
         ASSERT_EQ(fmi2GetFMUstate(component, &state), fmi2OK);

@@ -518,9 +518,9 @@ class Words(unittest.TestCase):
         self.assertEqual(sketches.wall_potentials(shorted)["top"], "φ = 0")
 
     def test_captions_and_limits_follow_slider_and_law(self):
-        sharp = types.SimpleNamespace(case={"slider": {"size": []}, "coupling": {"law": "fixed-charge"}}, taxels=None, circuit_words={}, summary={})
-        finger = types.SimpleNamespace(case={"slider": {"shape": "sphere"}, "coupling": {"law": "column-neutral"}}, taxels=None, circuit_words={}, summary={})
-        water = types.SimpleNamespace(case={"slider": {"size": []}, "coupling": {"law": "poroelastic"}}, taxels=None, circuit_words={}, summary={})
+        sharp = types.SimpleNamespace(case={"slider": {"size": []}, "coupling": {"law": "fixed-charge"}}, taxels=None, circuit_words={}, summary={}, sliders=[{}])
+        finger = types.SimpleNamespace(case={"slider": {"shape": "sphere"}, "coupling": {"law": "column-neutral"}}, taxels=None, circuit_words={}, summary={}, sliders=[{}])
+        water = types.SimpleNamespace(case={"slider": {"size": []}, "coupling": {"law": "poroelastic"}}, taxels=None, circuit_words={}, summary={}, sliders=[{}])
         for caption, word in ((report_text.contact_caption, "sharp"), (report_text.shear_caption, "sharp"),
                               (report_text.charge_caption, "common part")):
             self.assertIn(word, caption(sharp))
