@@ -60,6 +60,7 @@ std::vector<ContactSolution> solve_together(const std::vector<Case>& sliders,
                                             const Options& options) {
   mechanics::ContactOptions contact;
   contact.threads = options.threads;
+  contact.full_model = true; // as the matrix of all cells
   base::Timers timers;
   return mechanics::solve_sliders(sliders, contact, timers);
 }

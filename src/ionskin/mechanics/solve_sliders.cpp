@@ -148,7 +148,7 @@ std::vector<ContactSolution> solve_sliders(const std::vector<Case>& sliders,
   require_apart(sliders, footprints);
   ContactOptions own = options;
   // Half of the skin serves where all of them press on its middle.
-  own.full_model = !all_on_middle(sliders, footprints);
+  own.full_model = options.full_model || !all_on_middle(sliders, footprints);
   own.unfinished = nullptr; // one slider's path alone is nobody's result
   const double resolution = path_resolution(sliders.front().numerics),
                tolerance = resolution * resolution;
