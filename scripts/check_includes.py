@@ -21,7 +21,7 @@ ROOMS = {
     "mesh": ["."],
     "history": ["."],
     "mechanics": ["output", "surface", "slider", "skin", "path", "engine", "."],
-    "handover": ["measures", "."],
+    "handover": ["measures", ".", "sliders"],
     "poroelasticity": ["."],
     "electrochemistry": ["output", "grid", "coupling", "circuit", "equations", "solver", "time", "."],
     "planning": ["."],

@@ -2,7 +2,7 @@
 #include "ionskin/case/elastic_constants.hpp"
 #include "ionskin/finite_layers/skin/layered_skin.hpp"
 #include "ionskin/finite_layers/thickness/elastic_layer.hpp"
-#include "ionskin/handover/sliders_history.hpp"
+#include "ionskin/handover/sliders/sliders_history.hpp"
 #include "ionskin/history/shear_statistics.hpp"
 #include "ionskin/mechanics/solve_sliders.hpp"
 #include "mechanics/rows.hpp"

@@ -2,6 +2,7 @@
 #include "ionskin/handover/handover.hpp"
 
 #include "ionskin/handover/field_projection.hpp"
+#include "ionskin/handover/repeated_cycles.hpp"
 #include "ionskin/handover/strain_channels.hpp"
 #include "ionskin/handover/strain_grid.hpp"
 
@@ -94,26 +95,18 @@ history::CoreHistory build_strain_history(const Case& input,
   }
   const double middle = 0.5 * input.skin.width;
   const bool off_centre = box.low[1] != middle || box.high[1] != middle;
-  const double duration = timeline.sample_times().back();
-  for (int cycle = 0; cycle < input.motion.cycles; ++cycle) {
-    const double offset = cycle * duration;
-    for (std::size_t i = cycle == 0 ? 0 : 1; i < cycle_fields.size(); ++i) {
-      history.time.push_back(offset + timeline.sample_times()[i]);
-      history.slider_x.push_back(cycle_centres[i][0]);
-      if (off_centre) {
-        history.slider_y.push_back(cycle_centres[i][1]);
-      }
-      for (std::size_t channel = 0; channel < rules.size(); ++channel) {
-        history.channels[channel].samples.push_back((*cycle_fields[i])[channel]);
-      }
-    }
-    for (const double event : timeline.event_times()) {
-      // Event times are sample times, up to coinciding ones: take the sample itself.
-      const auto sample = std::lower_bound(history.time.begin(), history.time.end(),
-                                           offset + event - 1e-12 * duration);
-      history.event_time.push_back(*sample);
-    }
-  }
+  repeat_cycle(
+      input.motion.cycles, timeline.sample_times(), timeline.event_times(),
+      [&](std::size_t sample) {
+        history.slider_x.push_back(cycle_centres[sample][0]);
+        if (off_centre) {
+          history.slider_y.push_back(cycle_centres[sample][1]);
+        }
+        for (std::size_t channel = 0; channel < rules.size(); ++channel) {
+          history.channels[channel].samples.push_back((*cycle_fields[sample])[channel]);
+        }
+      },
+      history);
   return history;
 }
 

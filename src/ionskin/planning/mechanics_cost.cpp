@@ -5,7 +5,7 @@
 #include "ionskin/case/coupling.hpp"
 #include "ionskin/case/slider_motion.hpp"
 #include "ionskin/finite_layers/fields/states_at_once.hpp"
-#include "ionskin/handover/fixed_grid.hpp"
+#include "ionskin/handover/sliders/fixed_grid.hpp"
 #include "ionskin/handover/strain_grid.hpp"
 #include "ionskin/mechanics/coarser_solutions.hpp"
 #include "ionskin/mechanics/engine/drive_room.hpp"

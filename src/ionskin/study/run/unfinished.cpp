@@ -43,7 +43,9 @@ void keep_unfinished_contact(const Case& input, const RunOptions& options,
                              const std::optional<mechanics::ContactSolution>& path,
                              const SolverError& error, double start, RunFolder& folder) {
   RunOutputs outputs;
-  std::string kept = "no step of the contact was solved";
+  std::string kept = input.further_sliders.empty()
+                         ? "no step of the contact was solved"
+                         : "of several sliders, which are solved in passes, no path is kept";
   if (path && path->stepped.size() > 1) {
     try {
       outputs.signals = signals_of(input, options, *path);

@@ -7,7 +7,7 @@
 #include "ionskin/handover/contact_timeline.hpp"
 #include "ionskin/handover/energy_balance.hpp"
 #include "ionskin/handover/handover.hpp"
-#include "ionskin/handover/sliders_history.hpp"
+#include "ionskin/handover/sliders/sliders_history.hpp"
 #include "ionskin/laws/friction/friction_law.hpp"
 #include "ionskin/readout/phases.hpp"
 #include "ionskin/study/store/contact_maps.hpp"

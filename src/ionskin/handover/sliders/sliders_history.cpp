@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ionskin/handover/sliders_history.hpp"
+#include "ionskin/handover/sliders/sliders_history.hpp"
 
 #include "ionskin/case/coupling.hpp"
 #include "ionskin/handover/contact_timeline.hpp"
 #include "ionskin/handover/field_projection.hpp"
-#include "ionskin/handover/fixed_grid.hpp"
+#include "ionskin/handover/repeated_cycles.hpp"
+#include "ionskin/handover/sliders/fixed_grid.hpp"
+#include "ionskin/handover/sliders/strain_transfer.hpp"
 #include "ionskin/handover/strain_channels.hpp"
 #include "ionskin/history/line_operators.hpp"
 #include "ionskin/mechanics/output/force_path.hpp"
@@ -20,79 +22,19 @@
 namespace ionskin::handover {
 namespace {
 
-/// Operators along z, y and x of a field [z][y][x].
-using Operators = std::array<history::LineOperator, 3>;
-
-/// @param points of the field along x, y and z
-std::vector<double> apply(const Operators& along, std::vector<double> field,
-                          const std::array<std::size_t, 3>& points) {
-  std::vector<double> next;
-  history::apply_along(along[0], 1, points[1] * points[0], field, next);
-  history::apply_along(along[1], along[0].rows(), points[0], next, field);
-  history::apply_along(along[2], along[0].rows() * along[1].rows(), 1, field, next);
-  return next;
-}
-
-/// Both Gauss points of each interval.
-std::vector<double> gauss_points(const std::vector<double>& lines) {
-  const double offset = 0.5 / std::sqrt(3.0);
-  std::vector<double> places;
-  for (std::size_t i = 0; i + 1 < lines.size(); ++i) {
-    const double length = lines[i + 1] - lines[i], middle = 0.5 * (lines[i] + lines[i + 1]);
-    places.push_back(middle - offset * length);
-    places.push_back(middle + offset * length);
-  }
-  return places;
-}
-
 /// One slider at an instant.
 struct SliderInstant {
   StateCombination combination;
   std::array<double, 2> half_size{}; ///< of its footprint [m]
-  mesh::MeshLines lines;
-  std::vector<double> core_z; ///< lines through the core, from its bottom [m]
-  std::array<std::size_t, 3> points{};
-  PointStrain strain; ///< of its forces alone, at the points of its own mesh
+  MeshStrain own;                    ///< by its forces alone
 };
 
-/// Each value is its own.
-history::LineOperator identity(std::size_t count) {
-  history::LineOperator same{count, {}, std::vector(count, std::vector{1.0})};
-  for (std::size_t i = 0; i < count; ++i) {
-    same.first.push_back(i);
-  }
-  return same;
-}
-
-/// Carries a strain from the points of one mesh to those of another; along x and y these are means
-/// over halves of cells, which keep their integral.
-Operators between(const SliderInstant& from, const SliderInstant& to) {
-  const auto along = [](const std::vector<double>& lines, const std::vector<double>& target) {
-    return history::half_means_averages(lines, history::halved(target));
-  };
-  return {from.core_z == to.core_z ? identity(2 * (from.core_z.size() - 1))
-                                   : history::compose(history::linear_interpolation(
-                                                          from.core_z, gauss_points(to.core_z)),
-                                                      history::linear_projection(from.core_z)),
-          along(from.lines.y, to.lines.y), along(from.lines.x, to.lines.x)};
-}
-
 /// Strain of all sliders at the points of one of them.
-PointStrain sum_at(const std::vector<SliderInstant>& touching, std::size_t here) {
-  PointStrain sum = touching[here].strain;
+MeshStrain sum_at(const std::vector<SliderInstant>& touching, std::size_t here) {
+  MeshStrain sum = touching[here].own;
   for (std::size_t other = 0; other < touching.size(); ++other) {
-    if (other == here) {
-      continue;
-    }
-    const Operators along = between(touching[other], touching[here]);
-    for (std::size_t c = 0; c < sum.size(); ++c) {
-      if (touching[other].strain[c].empty()) {
-        continue;
-      }
-      const auto carried = apply(along, touching[other].strain[c], touching[other].points);
-      for (std::size_t i = 0; i < sum[c].size(); ++i) {
-        sum[c][i] += carried[i];
-      }
+    if (other != here) {
+      add_strain(touching[other].own, sum);
     }
   }
   return sum;
@@ -172,10 +114,11 @@ public:
         key.first.emplace_back(term.state, term.weight);
       }
       key.second.push_back(combination.centre);
-      touching.push_back(
-          {std::move(combination), contacts_[i].mesh.footprint().half_size, {}, {}, {}, {}});
-      touching.back().lines = contacts_[i].mesh.lines(touching.back().combination.centre);
-      touching.back().core_z = core_lines(contacts_[i].mesh, touching.back().lines);
+      const mesh::SkinMesh& mesh = contacts_[i].mesh;
+      touching.push_back({std::move(combination), mesh.footprint().half_size, {}});
+      SliderInstant& instant = touching.back();
+      instant.own.lines = mesh.lines(instant.combination.centre);
+      instant.own.core_z = core_lines(mesh, instant.own.lines);
     }
     const auto [found, is_new] = known_.try_emplace(std::move(key));
     if (is_new) {
@@ -208,17 +151,17 @@ private:
   Fields make_fields(std::vector<SliderInstant>& touching, double time) const {
     Fields fields;
     for (SliderInstant& one : touching) {
-      one.strain = strain_at_points(one.combination);
-      one.points = mechanics::core_strain(*one.combination.terms.front().state).points;
+      one.own.strain = strain_at_points(one.combination);
+      one.own.points = mechanics::core_strain(*one.combination.terms.front().state).points;
     }
     const std::vector<std::size_t> owners = owners_of_cells(touching);
     std::vector<history::StrainField> values(rules_.size(),
                                              history::StrainField(grid_.values(), 0.0));
     for (std::size_t i = 0; i < touching.size(); ++i) {
-      const PointStrain sum = sum_at(touching, i);
-      const Operators along = onto_grid(touching[i]);
+      const MeshStrain sum = sum_at(touching, i);
+      const FieldOperators along = onto_cells(sum, grid_, core_.z_lines);
       for (std::size_t channel = 0; channel < rules_.size(); ++channel) {
-        const auto own = apply(along, rules_[channel].at_points(sum), touching[i].points);
+        const auto own = applied(along, rules_[channel].at_points(sum.strain), sum.points);
         for (std::size_t at = 0; at < own.size(); ++at) {
           if (owners[at % owners.size()] == i) {
             values[channel][at] = own[at];
@@ -234,21 +177,6 @@ private:
       fields.push_back(std::make_shared<const history::StrainField>(std::move(field)));
     }
     return fields;
-  }
-
-  /// Means over the cells of the grid, linear through the thickness.
-  Operators onto_grid(const SliderInstant& from) const {
-    const bool halved = grid_.z_nodes.size() > core_.z_lines.size();
-    history::LineOperator along_z =
-        halved ? history::halved_projection(from.core_z) : history::linear_projection(from.core_z);
-    if (from.core_z != core_.z_lines) { // the mesh of another slider
-      along_z =
-          history::compose(history::linear_interpolation(
-                               halved ? history::halved(from.core_z) : from.core_z, grid_.z_nodes),
-                           along_z);
-    }
-    return {std::move(along_z), history::half_means_averages(from.lines.y, grid_.y_edges),
-            history::half_means_averages(from.lines.x, grid_.x_edges)};
   }
 
   /// The slider that is nearest to each column of cells, [y][x].
@@ -308,23 +236,14 @@ history::CoreHistory build_sliders_history(const std::vector<Case>& sliders,
   for (const ChannelRule& rule : made.rules()) {
     history.add_channel(rule.name, *history::unit_of_channel(rule.name));
   }
-  const double duration = times.back();
-  for (int count = 0; count < input.motion.cycles; ++count) {
-    const double offset = count * duration;
-    for (std::size_t i = count == 0 ? 0 : 1; i < times.size(); ++i) {
-      history.time.push_back(offset + times[i]);
-      for (std::size_t channel = 0; channel < history.channels.size(); ++channel) {
-        history.channels[channel].samples.push_back((*cycle[i])[channel]);
-      }
-    }
-    for (const double event : made.event_times()) {
-      // Event times are sample times, up to coinciding ones: take the sample itself.
-      const auto sample = std::ranges::lower_bound(history.time, offset + event - 2e-12 * duration);
-      if (history.event_time.empty() || history.event_time.back() < *sample) {
-        history.event_time.push_back(*sample);
-      }
-    }
-  }
+  repeat_cycle(
+      input.motion.cycles, times, made.event_times(),
+      [&](std::size_t sample) {
+        for (std::size_t channel = 0; channel < history.channels.size(); ++channel) {
+          history.channels[channel].samples.push_back((*cycle[sample])[channel]);
+        }
+      },
+      history);
   return history;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ionskin/handover/fixed_grid.hpp"
+#include "ionskin/handover/sliders/fixed_grid.hpp"
 
 #include "ionskin/base/error.hpp"
 #include "ionskin/case/slider_motion.hpp"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ionskin/handover/sliders_history.hpp"
+#include "ionskin/handover/sliders/sliders_history.hpp"
 
-#include "ionskin/handover/fixed_grid.hpp"
 #include "ionskin/handover/handover.hpp"
+#include "ionskin/handover/sliders/fixed_grid.hpp"
 #include "ionskin/history/shear_statistics.hpp"
 #include "synthetic_contact.hpp"
 
