@@ -124,7 +124,7 @@ private:
     if (!section_exists && !section.empty()) {
       const bool misspelt = walk_.seen[section];
       if (!misspelt && reported_sections_.insert(section).second)
-        problems_.add(fmt::format("missing section [{}] in {}", section, file_), {},
+        problems_.add(fmt::format("missing section [{}] in {}", walk_.name_of(section), file_), {},
                       fmt::format("add it with its keys: {}", needed_keys(section)));
       return;
     }
@@ -135,8 +135,8 @@ private:
   }
 
   void report_key(const SchemaRow& row, const std::string& key) {
-    problems_.add(fmt::format("missing key {} in {}", key, file_), pointers_to(section_of(key)),
-                  fmt::format("add it: {}", example(row)));
+    problems_.add(fmt::format("missing key {} in {}", walk_.name_of(key), file_),
+                  pointers_to(section_of(key)), fmt::format("add it: {}", example(row)));
   }
 
   /// Reports the keys that an edited choice asks for as one problem, with all that mends it.

@@ -70,8 +70,8 @@ void TomlWalk::visit_value(const toml::value& value, const std::string& key,
 void TomlWalk::visit_table(const toml::value& value, const std::string& key,
                            const std::string& pattern, const KeyIndex& index) {
   if (!value.is_table()) {
-    problems_.add(fmt::format("{} must be a table", key), {{place_of(value), ""}},
-                  fmt::format("write a section [{}] with its keys below", key));
+    problems_.add(fmt::format("{} must be a table", name_of(key)), {{place_of(value), ""}},
+                  fmt::format("write a section [{}] with its keys below", name_of(key)));
     return;
   }
   if (!key.empty())
@@ -97,8 +97,9 @@ void TomlWalk::visit_table(const toml::value& value, const std::string& key,
 void TomlWalk::visit_list(const toml::value& value, const std::string& key,
                           const std::string& pattern) {
   if (!value.is_array() || (!value.as_array().empty() && !value.as_array().front().is_table())) {
-    problems_.add(fmt::format("{} must be a list of tables", key), {{place_of(value), ""}},
-                  fmt::format("write one section [[{}]] for each {}{}", key, entry_name(pattern),
+    problems_.add(fmt::format("{} must be a list of tables", name_of(key)), {{place_of(value), ""}},
+                  fmt::format("write one section [[{}]] for each {}{}", name_of(key),
+                              entry_name(pattern),
                               any_row_starts_with(pattern + ".")
                                   ? ", or a grid such as {rows = 2, columns = 4}"
                                   : ""));
@@ -109,7 +110,7 @@ void TomlWalk::visit_list(const toml::value& value, const std::string& key,
                            : pattern == waypoint_list ? most_waypoints
                                                       : most_taxels;
   if (value.as_array().size() > most) {
-    problems_.add(fmt::format("{} has {} entries", key, value.as_array().size()),
+    problems_.add(fmt::format("{} has {} entries", name_of(key), value.as_array().size()),
                   {{place_of(value), ""}}, fmt::format("it may have at most {}", most));
     return;
   }
@@ -121,7 +122,7 @@ void TomlWalk::visit_list(const toml::value& value, const std::string& key,
 
 void TomlWalk::read(const SchemaRow& row, const toml::value& value, const std::string& key,
                     const KeyIndex& index) {
-  const auto result = read_value(row, key, value);
+  const auto result = read_value(row, name_of(key), value);
   if (const BadValue* bad = std::get_if<BadValue>(&result)) {
     problems_.add(bad->message, {{place_of(*bad->where), ""}}, bad->remedy);
     return;
@@ -134,6 +135,16 @@ void TomlWalk::read(const SchemaRow& row, const toml::value& value, const std::s
                      place_of(value), read});
 }
 
+// A key of the same table stands where that table does.
+std::string TomlWalk::name_beside(const std::string& key, const std::string& other) const {
+  const std::size_t dot = key.rfind('.');
+  const std::string table = key.substr(0, dot == std::string::npos ? 0 : dot + 1);
+  const std::string shown = name_of(key);
+  if (table.empty() || !other.starts_with(table))
+    return name_of(other);
+  return shown.substr(0, shown.size() - (key.size() - table.size())) + other.substr(table.size());
+}
+
 void TomlWalk::report_unknown(const toml::value& value, const std::string& key,
                               const std::string& pattern) {
   if (problems_.full()) {
@@ -144,9 +155,10 @@ void TomlWalk::report_unknown(const toml::value& value, const std::string& key,
   const std::vector<Pointer> where = {{text_.place(span.begin, span.length), ""}};
   const std::string meant = meant_key(key, pattern);
   seen[meant] = true; // so that it is not reported as missing too
-  problems_.add(fmt::format("unknown {} {}", value.is_table() ? "section" : "key", key), where,
+  problems_.add(fmt::format("unknown {} {}", value.is_table() ? "section" : "key", name_of(key)),
+                where,
                 meant.empty() ? list_of_siblings(key, pattern)
-                              : fmt::format("did you mean {}?", meant));
+                              : fmt::format("did you mean {}?", name_beside(key, meant)));
 }
 
 } // namespace ionskin

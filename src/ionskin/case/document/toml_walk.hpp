@@ -6,8 +6,10 @@
 #include "ionskin/case/text/case_text.hpp"
 #include "ionskin/case/text/toml_text.hpp"
 
+#include <functional>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace ionskin {
@@ -16,12 +18,19 @@ namespace ionskin {
 /// unknown keys and bad values.
 class TomlWalk {
 public:
+  /// Name of a key in messages.
+  using Name = std::function<std::string(const std::string& key)>;
+
   /// @param values those of the text
-  TomlWalk(const CaseText& text, const TomlText& values, Problems& problems)
-      : text_(text), values_(values), problems_(problems) {}
+  /// @param name of keys that stand elsewhere in the text, as those of a slider in a list
+  TomlWalk(
+      const CaseText& text, const TomlText& values, Problems& problems,
+      Name name = [](const std::string& key) { return key; })
+      : name_of(std::move(name)), text_(text), values_(values), problems_(problems) {}
 
   void visit() { visit_table(values_.root(), "", "", {}); }
 
+  const Name name_of;
   CaseDraft draft;
   std::vector<ValueRecord> records;
   /// Places of the tables: "skin", "skin.layers[0]", "materials.nafion".
@@ -39,6 +48,7 @@ private:
   void visit_list(const toml::value& value, const std::string& key, const std::string& pattern);
   void read(const SchemaRow& row, const toml::value& value, const std::string& key,
             const KeyIndex& index);
+  std::string name_beside(const std::string& key, const std::string& other) const;
   void report_unknown(const toml::value& value, const std::string& key, const std::string& pattern);
   Place place_of(const toml::value& value) const;
 

@@ -127,8 +127,10 @@ namespace {
 
 // The keys of a case of one slider, and what stands for those that are missing.
 CaseDocument walk_document(const CaseText& text, const TomlText& values, const std::string& path,
-                           const std::optional<EditedChoices>& choices, Problems problems) {
-  TomlWalk walk(text, values, problems);
+                           const std::optional<EditedChoices>& choices,
+                           const TomlWalk::Name& name) {
+  Problems problems;
+  TomlWalk walk(text, values, problems, name);
   walk.visit();
   complete_materials(walk, problems);
   complete(walk, path, choices, problems);
@@ -175,9 +177,9 @@ CaseDocument read_case_text(const std::string& original, const std::string& path
       listed > 0 ? std::nullopt : fit_to_edited_choices(text, values, original, set_edits);
   std::vector<CaseDocument> documents;
   for (std::size_t i = 0; i < std::max<std::size_t>(1, listed); ++i) {
-    documents.push_back(walk_document(text, listed > 0 ? with_slider(values, i) : values, path,
-                                      choices,
-                                      Problems(listed > 1 ? fmt::format("slider[{}]: ", i) : "")));
+    documents.push_back(
+        walk_document(text, listed > 0 ? with_slider(values, i) : values, path, choices,
+                      [&](const std::string& key) { return listed_key(values, i, key); }));
   }
   for (std::size_t i = 0; i < documents.size(); ++i)
     anchor_files(values, i, documents[i], text);
@@ -202,7 +204,9 @@ void check_values(const std::string& original, const std::string& name,
   const std::size_t listed = listed_sliders(values);
   for (std::size_t i = 0; i < std::max<std::size_t>(1, listed); ++i) {
     Problems problems;
-    TomlWalk(text, listed > 0 ? with_slider(values, i) : values, problems).visit();
+    TomlWalk(text, listed > 0 ? with_slider(values, i) : values, problems, [&](const auto& key) {
+      return listed_key(values, i, key);
+    }).visit();
     problems.throw_if_any(name);
   }
 }

@@ -80,7 +80,7 @@ void Problems::add(const std::string& message, const std::vector<Pointer>& point
     texts_.emplace_back(); // is only counted
     return;
   }
-  std::string text = of_ + message;
+  std::string text = message;
   for (const Pointer& pointer : pointers)
     text.append("\n").append(excerpt(pointer));
   if (!remedy.empty())

@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace ionskin {
@@ -31,9 +30,6 @@ std::string excerpt(const Pointer& pointer);
 /// once.
 class Problems {
 public:
-  /// @param of what all of them are found in, put before each message: "slider[1]: "
-  explicit Problems(std::string of = "") : of_(std::move(of)) {}
-
   /// Adds a mistake.
   /// @param message what is wrong, with the actual value
   /// @param pointers the offending places; two when two keys conflict; may be empty
@@ -49,7 +45,6 @@ public:
   void throw_if_any(const std::string& file) const;
 
 private:
-  std::string of_;
   std::vector<std::string> texts_;
 };
 

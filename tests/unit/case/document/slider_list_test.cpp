@@ -15,6 +15,7 @@ namespace ionskin {
 namespace {
 
 using testing::HasSubstr;
+using testing::StartsWith;
 
 const std::string pinch = IONSKIN_CASES "/pinch.toml";
 
@@ -110,9 +111,14 @@ TEST(SliderList, OfOneIsAsTheOnlySlider) {
   EXPECT_EQ(input.motion.stroke, expected.motion.stroke);
 }
 
-TEST(SliderList, SaysWhichSliderIsWrong) {
-  EXPECT_THAT(message({"slider[1].radius=-1 mm"}), HasSubstr("slider[1]: slider.radius"));
-  EXPECT_THAT(message({"slider[1].radios=1 mm"}), HasSubstr("did you mean slider.radius"));
+TEST(SliderList, NamesTheKeyThatIsWrong) {
+  EXPECT_THAT(message({"slider[1].radius=-1 mm"}), StartsWith("slider[1].radius = "));
+  EXPECT_THAT(message({"slider[1].radios=1 mm"}), HasSubstr("unknown key slider[1].radios"));
+  EXPECT_THAT(message({"slider[1].radios=1 mm"}), HasSubstr("did you mean slider[1].radius?"));
+  EXPECT_THAT(message({"slider[1].contact.frictoin=0.1"}),
+              HasSubstr("did you mean slider[1].contact.friction?"));
+  EXPECT_THAT(message({"slider[1].motion.stroke=1 s"}), StartsWith("slider[1].motion.stroke: "));
+  EXPECT_THAT(message({"skin.layers[1].thickness=-1 um"}), StartsWith("skin.layers[1].thickness"));
   EXPECT_THAT(message({"slider.radius=1 mm"}), HasSubstr("slider[0].radius"));
   EXPECT_THAT(message({"slider[2].radius=1 mm"}), HasSubstr("slider has no entry 2"));
 }
