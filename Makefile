@@ -82,10 +82,9 @@ check: check-sources build
 # A step that fails does not keep the next from being seen. The steps hold those of `check`.
 check-long: setup-all check-sources build
 	@cmake --build --preset release --target unit_tests benchmarks --parallel $(JOBS)
-	@cmake --preset sanitize
-	@cmake --build --preset sanitize-long --parallel $(JOBS)
 	@failed=; \
 	for step in "/usr/bin/python3 scripts/run_tests.py check" "/usr/bin/python3 scripts/run_tests.py long" \
+	    "cmake --preset sanitize" "cmake --build --preset sanitize-long --parallel $(JOBS)" \
 	    "/usr/bin/python3 scripts/run_tests.py sanitize-long" "scripts/fuzz.sh 60" "scripts/check_threads.sh threads-long $(JOBS)"; do \
 	  echo "== $$step"; $$step || failed="$$failed; $$step"; \
 	done; \

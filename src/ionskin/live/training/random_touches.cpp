@@ -150,7 +150,8 @@ Motion random_touches(const TouchRange& range, std::size_t count, std::uint64_t 
   Random random(seed);
   Path path(range);
   path.motion.kind = MotionKind::waypoints;
-  const auto& [low, high] = range.box;
+  const std::array<double, 2>& low = range.box.low;
+  const std::array<double, 2>& high = range.box.high;
   const auto place = [&]() -> std::array<double, 2> {
     const double x = random.between(low[0], high[0]);
     return {x, random.between(low[1], high[1])};
