@@ -129,8 +129,11 @@ TEST_F(LiveSkins, OneIsRefusedOrResetWithoutTheOthers) {
                        {times.data(), positions.data(), false, loads.data(), columns,
                         signals.data(), flags.data()});
   };
+  skins.noise(1) = {1e-9, 7, 0};
   step();
   const std::vector<double> state(skins.state(1).begin(), skins.state(1).end());
+  const std::vector<double> told(signals.begin() + static_cast<std::ptrdiff_t>(columns.size()),
+                                 signals.end());
   times = {1, 1};
   loads[1] = std::numeric_limits<double>::quiet_NaN();
   const std::size_t before = allocations();
@@ -138,6 +141,8 @@ TEST_F(LiveSkins, OneIsRefusedOrResetWithoutTheOthers) {
   EXPECT_EQ(allocations(), before);
   EXPECT_EQ(flags[0], 0u);
   EXPECT_EQ(flags[1], flag::refused);
+  EXPECT_TRUE(std::equal(told.begin(), told.end(),
+                         signals.begin() + static_cast<std::ptrdiff_t>(columns.size())));
   EXPECT_TRUE(std::ranges::equal(skins.state(1), state));
   skins.reset(0);
   times = {0, 1};

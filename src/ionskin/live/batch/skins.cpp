@@ -49,7 +49,7 @@ Skins::Skins(const SkinData& data, const Skin& like, std::size_t environments, s
   Skin rested = like;
   rested.reset();
   rest_.assign(rested.state().begin(), rested.state().end());
-  for (std::size_t i = 0; i < workers; ++i) {
+  for (std::size_t i = 0; i < std::max<std::size_t>(1, workers); ++i) {
     workers_.push_back({std::vector<Skin>(most_lanes, rested),
                         {rested.fields().begin(), rested.fields().end()},
                         std::vector<double>(most_lanes * names.size())});
@@ -78,11 +78,14 @@ bool Skins::set_friction(std::size_t environment, double coefficient) {
   return true;
 }
 
-void Skins::add_noise(std::size_t environment, std::span<double> signals) noexcept {
+/// @param refused whether nothing moved: the noise is that of the last step then, as the signals
+/// are
+void Skins::add_noise(std::size_t environment, bool refused, std::span<double> signals) noexcept {
   CurrentNoise& noise = noises_[environment];
-  if (noise.deviation == 0) {
+  if (noise.deviation == 0 || (refused && noise.steps == 0)) {
     return;
   }
+  noise.steps -= refused ? 1 : 0;
   for (const std::size_t place : noisy_) {
     signals[place] += noise.deviation * normal(noise.seed, noise.steps, place);
   }
@@ -135,11 +138,12 @@ void Skins::step(std::size_t worker, std::size_t first, std::size_t last,
     for (std::size_t lane = 0; lane < lanes; ++lane) {
       const std::size_t at = first + lane;
       Skin& skin = own.lanes[lane];
-      if ((pressed[lane].flags & flag::refused) == 0) {
+      const bool refused = (pressed[lane].flags & flag::refused) != 0;
+      if (!refused) {
         skin.tell(pressed[lane], own.fields, lane_of[lane], signals(lane));
       }
       skin.exchange(states_[at], frictions_[at]);
-      add_noise(at, signals(lane));
+      add_noise(at, refused, signals(lane));
       for (std::size_t i = 0; i < step.columns.size(); ++i) {
         step.signals[at * step.columns.size() + i] =
             static_cast<Value>(signals(lane)[step.columns[i]]);

@@ -70,7 +70,7 @@ private:
     std::vector<ChannelField> fields;
     std::vector<double> signals; ///< [lane][name]
   };
-  void add_noise(std::size_t environment, std::span<double> signals) noexcept;
+  void add_noise(std::size_t environment, bool refused, std::span<double> signals) noexcept;
 
   const SkinData& data_;
   std::vector<std::vector<double>> states_;
