@@ -145,6 +145,11 @@ void add_live(CLI::App& app, Command& command) {
                        "Fastest turn about z to train, of a slider that looks alike from all "
                        "sides, in degrees a second; none without it")
           ->type_name("DEG/S");
+  CLI::Option* slider =
+      verb->add_option("--slider", options->slider,
+                       "Which slider of a list [[slider]] to train, counted from 1 as the ends of "
+                       "signals are")
+          ->type_name("NUMBER");
   CLI::Option* seed =
       verb->add_option("--seed", options->seed, "Seed of the touches")->capture_default_str();
   verb->add_flag("--overwrite", options->overwrite, "Replace existing files");
@@ -155,7 +160,7 @@ void add_live(CLI::App& app, Command& command) {
   verb->callback([=, &command] {
     options->trains = !options->output.empty() || !options->set_edits.empty() ||
                       trajectories->count() + validation->count() + seed->count() +
-                              friction->count() + tilt->count() + spin->count() >
+                              friction->count() + tilt->count() + spin->count() + slider->count() >
                           0;
     command = *options;
   });

@@ -169,9 +169,10 @@ struct LiveOptions {
   std::size_t validation = 90;
   std::uint64_t seed = 1;
   std::optional<std::array<double, 2>> friction;
-  double tilt = 0;     ///< steepest [deg]
-  double spin = 0;     ///< fastest [deg/s]
-  bool trains = false; ///< true if an option is given that only a training has a use for
+  double tilt = 0;           ///< steepest [deg]
+  double spin = 0;           ///< fastest [deg/s]
+  std::optional<int> slider; ///< of a list, counted from 1
+  bool trains = false;       ///< true if an option is given that only a training has a use for
   int threads = 0;
   bool overwrite = false;
   LogFormat log = LogFormat::automatic;

@@ -19,8 +19,10 @@
 #include <filesystem>
 #include <map>
 #include <numbers>
+#include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace ionskin::apps {
 namespace {
@@ -98,14 +100,28 @@ void write_files(const LiveOptions& options, const ionskin::live::SkinData& data
 /// Makes nothing but an FMU, of a skin that is there.
 int export_skin(const LiveOptions& options) {
   if (options.trains) {
-    throw UserError(fmt::format("{} is a live skin, trained already: --output, --set, "
-                                "--trajectories, --friction, --tilt, --spin, --validation and "
-                                "--seed have no use\n  = give --fmu alone, or "
-                                "the case file to train anew",
-                                options.case_path));
+    throw UserError(
+        fmt::format("{} is a live skin, trained already: --output, --set, "
+                    "--trajectories, --friction, --tilt, --spin, --slider, --validation and "
+                    "--seed have no use\n  = give --fmu alone, or "
+                    "the case file to train anew",
+                    options.case_path));
   }
   write_files(options, ionskin::live::read_skin(options.case_path));
   return static_cast<int>(ExitCode::success);
+}
+
+/// The case of one slider of a list, alone on the skin; any other case as it is.
+Case case_of_slider(const Case& input, std::optional<int> number) {
+  if (!number) {
+    return input;
+  }
+  const std::vector<Case> sliders = cases_of_sliders(input);
+  if (*number < 1 || *number > static_cast<int>(sliders.size())) {
+    throw UserError(fmt::format("--slider {}: the case has {} slider{}, counted from 1", *number,
+                                sliders.size(), sliders.size() == 1 ? "" : "s"));
+  }
+  return sliders[static_cast<std::size_t>(*number - 1)];
 }
 
 void print_errors(const ionskin::live::SkinData& data) {
@@ -142,7 +158,8 @@ int live(const LiveOptions& options, const std::string& command) {
     require_outputs(options);
     return export_skin(options);
   }
-  const Case input = read_case(options.case_path, options.set_edits);
+  const Case input =
+      case_of_slider(read_case(options.case_path, options.set_edits), options.slider);
   require_outputs(options);
   ionskin::live::TrainingOptions settings;
   settings.friction = options.friction;

@@ -6,13 +6,14 @@
     signals = skin.step(0.001, (6e-3, 1e-3), height=-0.5e-6)
     signals["normal_force"], signals["charge_top"]
 
-`Skins` steps many of them together, for a learner.
+`Skins` steps many of them together, for a learner; `Fingers` is one skin under several sliders.
 """
 
-from .signals import (OUTSIDE_LOAD, OUTSIDE_PLACE, OUTSIDE_POSE, OUTSIDE_SPEED, PULLED, REFUSED, UNCONVERGED, LiveSkinWarning, Range,
-                      SignalError, Signals)
+from .fingers import Fingers
+from .signals import (OUTSIDE_LOAD, OUTSIDE_PLACE, OUTSIDE_POSE, OUTSIDE_SPEED, PULLED, REFUSED, TOO_NEAR, UNCONVERGED,
+                      LiveSkinWarning, Range, SignalError, Signals)
 from .skin import Skin
 from .skins import Skins
 
-__all__ = ["OUTSIDE_LOAD", "OUTSIDE_PLACE", "OUTSIDE_POSE", "OUTSIDE_SPEED", "PULLED", "REFUSED", "UNCONVERGED",
-           "LiveSkinWarning", "Range", "SignalError", "Signals", "Skin", "Skins"]
+__all__ = ["OUTSIDE_LOAD", "OUTSIDE_PLACE", "OUTSIDE_POSE", "OUTSIDE_SPEED", "PULLED", "REFUSED", "TOO_NEAR",
+           "UNCONVERGED", "Fingers", "LiveSkinWarning", "Range", "SignalError", "Signals", "Skin", "Skins"]

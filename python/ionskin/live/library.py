@@ -52,6 +52,7 @@ def _declared(library: ctypes.CDLL) -> ctypes.CDLL:
             ("restore", ctypes.c_int, [skin, NUMBERS, size]), ("reset", None, [skin]),
             ("set_friction", ctypes.c_int, [skin, number]), ("friction", None, [skin, NUMBERS]),
             ("text", text, [skin, text]), ("range", None, [skin, NUMBERS]), ("size", None, [skin, NUMBERS]),
+            ("footprint", None, [skin, NUMBERS]), ("core_thickness", number, [skin]),
             ("taxel", ctypes.c_int, [skin, size, texts, NUMBERS]),
             ("event_error", ctypes.c_int, [skin, size, texts, texts, NUMBERS, NUMBERS, NUMBERS]),
             ("skins_open", skin, [skin, size, size]), ("skins_close", None, [skin]),

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 
 import numpy
 
-OUTSIDE_PLACE, OUTSIDE_LOAD, OUTSIDE_SPEED, UNCONVERGED, REFUSED, PULLED, OUTSIDE_POSE = 1, 2, 4, 8, 16, 32, 64
+OUTSIDE_PLACE, OUTSIDE_LOAD, OUTSIDE_SPEED, UNCONVERGED, REFUSED, PULLED, OUTSIDE_POSE, TOO_NEAR = 1, 2, 4, 8, 16, 32, 64, 128
 
 
 @dataclasses.dataclass(frozen=True)
@@ -39,7 +39,7 @@ class Range:
 
 class Signals(Mapping):
     """Signals by name, SI units. `flags` is 0 where all is well, else the sum of OUTSIDE_PLACE, OUTSIDE_LOAD,
-    OUTSIDE_SPEED, UNCONVERGED, PULLED and OUTSIDE_POSE; of `Skin.run` an array."""
+    OUTSIDE_SPEED, UNCONVERGED, PULLED, OUTSIDE_POSE and, of `Fingers`, TOO_NEAR; of `Skin.run` an array."""
 
     def __init__(self, columns: dict[str, int], values: numpy.ndarray, flags) -> None:
         self._columns, self._values, self.flags = columns, values, flags
@@ -61,8 +61,8 @@ class Signals(Mapping):
 
     @property
     def outside(self):
-        """True where a step lies outside the trained range, in place, load, speed or pose."""
-        return (self.flags & (OUTSIDE_PLACE | OUTSIDE_LOAD | OUTSIDE_SPEED | OUTSIDE_POSE)) != 0
+        """True where a step lies outside the trained range, in place, load, speed or pose, or fingers are too near."""
+        return (self.flags & (OUTSIDE_PLACE | OUTSIDE_LOAD | OUTSIDE_SPEED | OUTSIDE_POSE | TOO_NEAR)) != 0
 
     def __repr__(self) -> str:
         return f"Signals({', '.join(f'{name}={self[name]!r}' for name in self)})"

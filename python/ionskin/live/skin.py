@@ -110,6 +110,23 @@ class Skin:
         return tuple(values.tolist())
 
     @property
+    def footprint(self) -> tuple[float, float, float, float]:
+        """Lowest x, y, highest x, y of the contact cells, from the slider's centre [m]: nothing beyond them touches."""
+        values = numpy.empty(4)
+        self._library.ionskin_live_footprint(self._handle, pointer(values))
+        return tuple(values.tolist())
+
+    @property
+    def core_thickness(self) -> float:
+        """Thickness of the core [m]."""
+        return float(self._library.ionskin_live_core_thickness(self._handle))
+
+    @property
+    def time(self) -> float | None:
+        """Time of the last step [s], None before the first."""
+        return self._time
+
+    @property
     def taxels(self) -> dict[str, tuple[float, float, float, float]]:
         """Lowest x, y, highest x, y of every taxel [m]."""
         taxels, name, corners = {}, ctypes.c_char_p(), numpy.empty(4)
@@ -155,11 +172,11 @@ class Skin:
             position, height, angles = _parted(pose, position, height, force)
         kind, value = one_load(height, force, "")
         time = float(finite("time", time, ()))
-        self._require_ascending(time)
+        require_ascending_times(numpy.reshape(time, 1), self._time)
         place = finite("position", position, (2,))
         value = finite("force" if kind else "height", value, ())
         angles = finite("angles", angles, (3,))
-        _require_turns("yaw", angles[2])
+        require_turns("yaw", angles[2])
         signals = numpy.empty(len(self._columns))
         flags = self._library.ionskin_live_step_posed(self._handle, time, place[0], place[1], pointer(angles), kind, value,
                                                       pointer(signals))
@@ -200,14 +217,11 @@ class Skin:
         positions = finite("positions", positions, (len(times), 2))
         values = finite("forces" if kind else "heights", values, (len(times),))
         angles = finite("angles", numpy.zeros((len(times), 3)) if angles is None else angles, (len(times), 3))
-        _require_turns("yaw", numpy.abs(angles[:, 2]).max(initial=0))
-        if (numpy.diff(times) < 0).any():
-            later = int(numpy.argmax(numpy.diff(times) < 0)) + 1
-            raise ValueError(f"times: {times[later]} s (index {later}) comes after {times[later - 1]} s")
+        require_turns("yaw", numpy.abs(angles[:, 2]).max(initial=0))
+        require_ascending_times(times, self._time)
         signals = numpy.empty((len(times), len(self._columns)))
         flags = numpy.zeros(len(times), dtype=numpy.uint32)
         if len(times):
-            self._require_ascending(times[0])
             self._library.ionskin_live_run_posed(self._handle, len(times), pointer(times), pointer(positions),
                                                  pointer(angles), kind, pointer(values), pointer(signals),
                                                  flags.ctypes.data_as(ctypes.POINTER(ctypes.c_uint32)))
@@ -282,10 +296,6 @@ class Skin:
         self._library.ionskin_live_reset(self._handle)
         self._time, self._stepped = None, False
 
-    def _require_ascending(self, time: float) -> None:
-        if self._time is not None and time < self._time:
-            raise ValueError(f"time: {time} s comes before the last step at {self._time} s; restore a state, or reset")
-
 
 def _parted(pose, position, height, force):
     """Position, height and angles of a pose. TypeError: given beside it. ValueError: not six."""
@@ -296,7 +306,17 @@ def _parted(pose, position, height, force):
     return pose[:2], pose[2] if force is None else None, pose[3:]
 
 
-def _require_turns(name: str, yaw: float) -> None:
+def require_ascending_times(times: numpy.ndarray, last: float | None) -> None:
+    """ValueError: times go back, or begin before that of the last step; None: there was none."""
+    if (numpy.diff(times) < 0).any():
+        later = int(numpy.argmax(numpy.diff(times) < 0)) + 1
+        raise ValueError(f"times: {times[later]} s (index {later}) comes after {times[later - 1]} s")
+    if last is not None and len(times) and times[0] < last:
+        raise ValueError(f"time: {times[0]} s comes before the last step at {last} s; restore a state, or reset")
+
+
+def require_turns(name: str, yaw: float) -> None:
+    """ValueError: the yaw is beyond what a step takes [rad]."""
     if abs(yaw) > _MOST_TURNED:
         raise ValueError(f"{name}: {yaw:g} rad is outside +-{_MOST_TURNED:g} rad")
 

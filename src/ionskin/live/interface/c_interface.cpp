@@ -2,6 +2,7 @@
 #include "ionskin/live/interface/c_skin.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <exception>
 #include <new>
@@ -159,6 +160,20 @@ void ionskin_live_pose_range(const ionskin_live_skin* skin, double range[3]) {
 void ionskin_live_size(const ionskin_live_skin* skin, double size[2]) {
   size[0] = skin->data->length;
   size[1] = skin->data->width;
+}
+
+void ionskin_live_footprint(const ionskin_live_skin* skin, double box[4]) {
+  const ionskin::live::SkinData& data = *skin->data;
+  const bool half = data.meshed_share < 1; // whose lines along y begin at the plane of symmetry
+  const double lines_y[2]{data.cell_lines_y.front(), data.cell_lines_y.back()};
+  const double far = std::max(std::abs(lines_y[0]), std::abs(lines_y[1]));
+  const double values[4]{data.cell_lines_x.front(), half ? -far : lines_y[0],
+                         data.cell_lines_x.back(), half ? far : lines_y[1]};
+  std::ranges::copy(values, box);
+}
+
+double ionskin_live_core_thickness(const ionskin_live_skin* skin) {
+  return skin->data->thickness;
 }
 
 int ionskin_live_taxel(const ionskin_live_skin* skin, size_t index, const char** name,

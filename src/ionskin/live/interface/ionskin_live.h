@@ -71,7 +71,8 @@ int ionskin_live_stiffness(ionskin_live_skin* skin, double stiffness[36]);
 size_t ionskin_live_charge_count(const ionskin_live_skin* skin);
 /* Derivatives of the last step's charges by such a motion, [charge_count][6], in C/m and C/rad: of
    the signals whose names begin with charge_, in their order. Takes no memory. 1; or 0, and NaN,
-   as `ionskin_live_stiffness`, which also says what is NaN of a skin that is computed as one half. */
+   as `ionskin_live_stiffness`, which also says what is NaN of a skin that is computed as one half.
+ */
 int ionskin_live_charge_derivatives(ionskin_live_skin* skin, double* derivatives);
 
 /* Many steps, with angles [count][3]. */
@@ -103,6 +104,11 @@ void ionskin_live_range(const ionskin_live_skin* skin, double range[7]);
 void ionskin_live_pose_range(const ionskin_live_skin* skin, double range[3]);
 /* Length and width of the skin [m]. */
 void ionskin_live_size(const ionskin_live_skin* skin, double size[2]);
+/* Lowest x, y, highest x, y of the contact cells, from the slider's centre [m]: nothing beyond them
+   touches. */
+void ionskin_live_footprint(const ionskin_live_skin* skin, double box[4]);
+/* Thickness of the core [m]. */
+double ionskin_live_core_thickness(const ionskin_live_skin* skin);
 /* Lowest x, y, highest x, y of a taxel [m]; 0 behind the last. */
 int ionskin_live_taxel(const ionskin_live_skin* skin, size_t index, const char** name,
                        double corners[4]);
