@@ -142,7 +142,7 @@ mobility = "5e-17 m2/(Pa s)"
             "electrochemistry.largest_concentration=1210 mol/m3", "coupling.coefficient=10") for word in ("--set", edit)))
         lines = []
         for option in ((), ("--resume",)):
-            self.assertIn("gets nowhere", self.run_case(*case, *option, expect=3).stderr)
+            self.assertIn("makes no progress", self.run_case(*case, *option, expect=3).stderr)
             with h5py.File(self.folder / "out" / "checkpoint.h5") as file:
                 time, charge = file["rows/time"][...], file["rows/charge_top"][...]
             kept = signals(self.folder / "out")

@@ -236,11 +236,11 @@ private:
 
   [[noreturn]] void end_without_progress(double begin, double end) const {
     throw SolverError(
-        fmt::format(
-            "the ion transport gets nowhere: {} steps and {} tries in vain led to t = {:.9g} "
-            "s of {:.9g} s, and the next step is of {:.2g} s; potentials reach {:.3g} V",
-            run_.step, run_.solution.rejected_steps, begin, control_.span().second, end - begin,
-            scales_.potential_scale * largest_potential()),
+        fmt::format("the ion transport makes no progress: {} steps and {} failed attempts reached "
+                    "t = {:.9g} "
+                    "s of {:.9g} s, and the next step is of {:.2g} s; potentials reach {:.3g} V",
+                    run_.step, run_.solution.rejected_steps, begin, control_.span().second,
+                    end - begin, scales_.potential_scale * largest_potential()),
         fmt::format(
             "make coupling.coefficient smaller or the motion slower: charge that comes "
             "faster than ions can follow makes such potentials{}; --resume continues as it is",

@@ -219,8 +219,8 @@ private:
       }
       ++solution_.rejected_steps;
       if (solution_.rejected_steps > tries_in_vain + tries_in_vain_per_step * solution_.steps) {
-        throw SolverError(fmt::format("the charge of thin double layers gets nowhere: {} steps and "
-                                      "{} tries in vain led to t = {:.9g} s",
+        throw SolverError(fmt::format("the charge of thin double layers makes no progress: {} "
+                                      "steps and {} failed attempts reached t = {:.9g} s",
                                       solution_.steps, solution_.rejected_steps, begin),
                           "raise numerics.time_tolerance, or make the motion slower");
       }

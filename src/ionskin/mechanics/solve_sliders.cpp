@@ -108,10 +108,11 @@ void require_apart(const std::vector<Case>& sliders,
       const double apart = least_distance(
           legs, footprints[i], motion_legs(sliders[j].motion, sliders[j].slider), footprints[j]);
       if (apart < reach) {
-        throw UserError(fmt::format(
-            "sliders {} and {} come within {:.4g} mm of each other\n  = keep the places where they "
-            "may touch {:.4g} mm apart, to which short waves in the skin reach",
-            std::min(i, j) + 1, std::max(i, j) + 1, 1e3 * apart, 1e3 * reach));
+        throw UserError(
+            fmt::format("sliders {} and {} come within {:.4g} mm of each other\n  = keep the areas "
+                        "that they may touch {:.4g} mm apart: nearer, the local deformations under "
+                        "both overlap, which is not solved",
+                        std::min(i, j) + 1, std::max(i, j) + 1, 1e3 * apart, 1e3 * reach));
       }
     }
   }

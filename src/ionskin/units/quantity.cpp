@@ -40,8 +40,9 @@ NumberAndUnit split(std::string_view text, Dimension expected) {
   NumberAndUnit result;
   const auto [rest, status] = std::from_chars(begin, end, result.number);
   if (status == std::errc::result_out_of_range)
-    throw UserError(fmt::format("the number in \"{}\" is too large or too small to be represented",
-                                base::shown(text)));
+    throw UserError(fmt::format(
+        "the number in \"{}\" is too large or too small: numbers reach from 1e-307 to 1e308",
+        base::shown(text)));
   if (status != std::errc() || !std::isfinite(result.number))
     throw UserError(fmt::format("\"{}\" does not begin with a number; {}, written \"1.5 {}\"",
                                 base::shown(text), expectation(expected),

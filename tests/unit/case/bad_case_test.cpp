@@ -210,7 +210,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"ThinLayersWithTaxelCircuits", "\"1200 mol/m3\"",
                 "\"1200 mol/m3\"\nion_model = \"thin-layers\"\n[readout]\ntaxel_circuit = "
                 "\"open\"\ntaxels = {rows = 1, columns = 2}",
-                "knows one conductor as the top electrode", "45:13", "^^^^^^",
+                "supports only one conductor as the top electrode", "45:13", "^^^^^^",
                 "or readout.taxel_circuit = \"shared\""},
         Mistake{"DiluteIonsWithLargestConcentration", "\"1200 mol/m3\"",
                 "\"1200 mol/m3\"\nlargest_concentration = \"5000 mol/m3\"",

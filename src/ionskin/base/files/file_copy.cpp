@@ -94,7 +94,7 @@ void append(int target, std::span<const std::byte> bytes) {
   while (!bytes.empty()) {
     const ssize_t written = write(target, bytes.data(), bytes.size());
     if (written < 0 && errno != EINTR) {
-      throw UserError(fmt::format("no memory for the copy of a file: {}\n  = free memory, or name "
+      throw UserError(fmt::format("not enough memory to read a file: {}\n  = free memory, or name "
                                   "a smaller file",
                                   std::strerror(errno)));
     }
@@ -116,7 +116,7 @@ FileCopy::FileCopy(const std::filesystem::path& path) {
   }
   descriptor_ = FileDescriptor(memfd_create("ionskin-copy", MFD_CLOEXEC));
   if (descriptor_ < 0) {
-    throw UserError(fmt::format("no memory for the copy of {}: {}\n  = free memory", path.string(),
+    throw UserError(fmt::format("not enough memory to read {}: {}\n  = free memory", path.string(),
                                 std::strerror(errno)));
   }
   digest_ = read_through(path, file,

@@ -74,9 +74,10 @@ void check_adhesion(const CaseDocument& document, Problems& problems) {
   if (!row.adheres || !is_complete(row, input.contact.parameters))
     return;
   if (input.motion.drive.given())
-    problems.add(fmt::format("contact.law = \"{}\" knows no slider on a drive", input.contact.law),
-                 document.point_at("motion.drive.stiffness"),
-                 "remove motion.drive, or choose another contact.law");
+    problems.add(
+        fmt::format("contact.law = \"{}\" does not support a slider on a drive", input.contact.law),
+        document.point_at("motion.drive.stiffness"),
+        "remove motion.drive, or choose another contact.law");
   const double range =
       laws::friction(input.contact.law, input.contact.friction, input.contact.parameters)
           .adhesion.range;

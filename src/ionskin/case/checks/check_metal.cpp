@@ -53,11 +53,12 @@ void check_metal(const CaseDocument& document, Problems& problems) {
                  "remove readout.taxels, or sheet_resistance, or set readout.contact = "
                  "\"everywhere\"");
   if (input.electrochemistry.ion_model == IonModel::thin_layers)
-    problems.add("the ion model \"thin-layers\" knows electrodes at one potential each, and they "
-                 "have a sheet_resistance here",
-                 resistances(document),
-                 "set electrochemistry.ion_model = \"dilute\", or readout.contact = "
-                 "\"everywhere\"");
+    problems.add(
+        "the ion model \"thin-layers\" supports only electrodes at one potential each, and they "
+        "have a sheet_resistance here",
+        resistances(document),
+        "set electrochemistry.ion_model = \"dilute\", or readout.contact = "
+        "\"everywhere\"");
 }
 
 std::vector<std::string> notes_on_metal(const CaseDocument& document) {

@@ -207,14 +207,15 @@ void check_conductors(const CaseDocument& document, Problems& problems) {
                              "readout.taxel_circuit = \"{}\" reads each of them",
                              readout.circuit));
   if (count > 0 && document.input.electrochemistry.ion_model == IonModel::thin_layers)
-    problems.add("the ion model \"thin-layers\" knows one conductor as the top electrode, and "
-                 "taxels have circuits of their own here",
-                 document.point_at("electrochemistry.ion_model"),
-                 readout.is_crossbar()
-                     ? "set electrochemistry.ion_model = \"dilute\", or remove "
-                       "readout.taxels.wiring"
-                     : "set electrochemistry.ion_model = \"dilute\", or readout.taxel_circuit = "
-                       "\"shared\"");
+    problems.add(
+        "the ion model \"thin-layers\" supports only one conductor as the top electrode, and "
+        "taxels have circuits of their own here",
+        document.point_at("electrochemistry.ion_model"),
+        readout.is_crossbar()
+            ? "set electrochemistry.ion_model = \"dilute\", or remove "
+              "readout.taxels.wiring"
+            : "set electrochemistry.ion_model = \"dilute\", or readout.taxel_circuit = "
+              "\"shared\"");
 }
 
 /// A key of a circuit beside no word of a circuit is one that the user forgot to name.

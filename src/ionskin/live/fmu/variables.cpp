@@ -115,7 +115,7 @@ std::vector<Variable> variables(const SkinData& data) {
   list.push_back(
       {"flags", Kind::integer, Causality::output, "",
        "Sum of 1 outside the trained places, 2 loads, 4 speeds, 8 contact not converged, 16 an "
-       "input is not finite, 32 a negative force, 64 steeper than trained",
+       "input is not finite, 32 a negative force, 64 a pose that was not trained",
        0});
   const Skin skin(data);
   for (const std::string& name : skin.names()) {

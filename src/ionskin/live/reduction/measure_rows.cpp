@@ -16,7 +16,7 @@
 namespace ionskin::live {
 namespace {
 
-/// MeasureRows whose norm, or whose one value, is a shear measure: of one linear in the strain its
+/// Rows whose norm, or whose one value, is a shear measure: of one linear in the strain its
 /// own coefficients, else those of the quadratic form that its square must be. Throws UserError for
 /// a measure that is neither.
 MeasureRows rows_of(const laws::ShearMeasure& measure) {
@@ -62,8 +62,8 @@ MeasureRows rows_of(const laws::ShearMeasure& measure) {
   }
   if (!(std::abs(value_of(rows, probe) - expected) <= 1e-9 * std::abs(expected))) {
     throw UserError(fmt::format(
-        "coupling.measure = \"{}\": a live skin knows measures that are linear in the strain, or "
-        "the root of a quadratic form of it\n  = choose another measure",
+        "coupling.measure = \"{}\": a live skin supports only measures that are linear in the "
+        "strain, or the root of a quadratic form of it\n  = choose another measure",
         measure.name));
   }
   return rows;

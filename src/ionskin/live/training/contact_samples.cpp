@@ -34,7 +34,7 @@ std::vector<std::vector<double>> contact_samples(const SkinData& data, const Tou
   const double nowhere = std::numeric_limits<double>::quiet_NaN();
   double indentation = 0, assembled_x = nowhere, assembled_y = nowhere;
   const auto& [low, high] = range.box;
-  std::array<double, 2> at{}, direction{};
+  std::array<double, 2> at{}, direction{1, 0};
   std::vector<std::vector<double>> samples;
   LiveContact::Stance stance;
   std::array<double, 2> slope_way{}; // of a step

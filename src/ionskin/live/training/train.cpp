@@ -168,7 +168,7 @@ void set_pose(const Case& input, const TrainingOptions& options, SkinData& data)
       if (missed > even_lowest * deepest) {
         throw UserError(fmt::format(
             "--tilt {:g}: the lowest point of this underside jumps from place to place as it "
-            "tilts, and a live skin knows undersides alone over which it rolls\n  = take a smaller "
+            "tilts, and a live skin supports only undersides on which it rolls\n  = take a smaller "
             "tilt, or another slider.shape",
             options.tilt * 180 / std::numbers::pi));
       }
@@ -198,10 +198,6 @@ std::vector<FullRun> training_runs(const Case& input, const TouchRange& range, c
   return runs;
 }
 
-} // namespace
-
-namespace {
-
 /// Refuses poses that a live skin cannot stand for.
 void check_poses(const Case& input, const TrainingOptions& options) {
   const bool symmetry = input.skin.sides == SideCondition::symmetry;
@@ -220,8 +216,8 @@ void check_poses(const Case& input, const TrainingOptions& options) {
                     "  = set skin.sides = \"free\"");
   }
   if (options.turn > 0 && !turns_into_itself(input.slider)) {
-    throw UserError("--spin: a live skin turns a slider about z alone that looks alike from all "
-                    "sides, and this one does not: its cells would have to turn with it\n"
+    throw UserError("--spin: a live skin lets only a slider turn about z that looks alike from all "
+                    "sides, and this one does not: its contact cells would have to turn with it\n"
                     "  = take slider.shape = \"sphere\" without slider.size, or run the full "
                     "model");
   }
@@ -231,33 +227,34 @@ void check_poses(const Case& input, const TrainingOptions& options) {
 
 void check_trainable(const Case& input, const TrainingOptions& options) {
   if (input.strain.kind != StrainSourceKind::contact) {
-    throw UserError("strain.source: a live skin is stepped by contact, and this case has none\n"
+    throw UserError("strain.source: a live skin needs a contact, and this case has none\n"
                     "  = set strain.source = \"contact\"");
   }
   if (!input.further_sliders.empty()) {
-    throw UserError("slider: a live skin knows one slider, and this case has a list of them\n"
-                    "  = write one section [slider]");
+    throw UserError("slider: a live skin has one slider, and this case has a list of them\n"
+                    "  = train each with --slider NUMBER, counted from 1, and step them together: "
+                    "ionskin.live.Fingers in Python");
   }
   if (input.readout.circuit != circuits::circuits().front().name) {
-    throw UserError("readout.circuit: a live skin knows shorted electrodes alone\n"
+    throw UserError("readout.circuit: a live skin supports only shorted electrodes\n"
                     "  = set readout.circuit = \"short\"");
   }
   if (input.readout.is_crossbar()) {
     throw UserError(
-        "readout.taxels.wiring: a live skin knows taxels at one potential above one "
-        "bottom electrode alone, and this one is a crossbar\n"
+        "readout.taxels.wiring: a live skin supports only taxels at one potential above one bottom "
+        "electrode, and this one is a crossbar\n"
         "  = remove readout.taxels.wiring: the currents of its columns and rows are sums "
         "of those of the taxels while all lines are at the ground");
   }
   if (input.readout.is_cut()) {
-    throw UserError("readout.taxel_circuit: a live skin knows taxels at one potential alone, and "
+    throw UserError("readout.taxel_circuit: a live skin supports only taxels at one potential, and "
                     "here they have circuits of their own\n"
                     "  = set readout.taxel_circuit = \"shared\", and remove the circuits of single "
                     "taxels");
   }
   if (input.has_sheet_resistance()) {
-    throw UserError("skin.layers[].sheet_resistance: a live skin knows electrodes at one potential "
-                    "each\n"
+    throw UserError("skin.layers[].sheet_resistance: a live skin supports only electrodes at one "
+                    "potential each\n"
                     "  = remove it, or set readout.contact = \"everywhere\"");
   }
   if (options.friction) {
@@ -276,15 +273,15 @@ void check_trainable(const Case& input, const TrainingOptions& options) {
     }
   }
   if (laws::friction_law(input.contact.law).adheres) {
-    throw UserError(
-        fmt::format("contact.law = \"{}\": a live skin knows no pull between slider and skin\n  "
-                    "= set contact.law = \"coulomb\"",
-                    input.contact.law));
+    throw UserError(fmt::format(
+        "contact.law = \"{}\": a live skin does not support adhesion between slider and skin\n  "
+        "= set contact.law = \"coulomb\"",
+        input.contact.law));
   }
   if (input.motion.drive.given()) {
     throw UserError(
-        "motion.drive: a live skin is given the place of the slider, and knows no drive that "
-        "gives\n  = remove motion.drive, and give each step the place of the slider");
+        "motion.drive: a live skin is given the position of the slider, and does not support a "
+        "compliant drive\n  = remove motion.drive, and give each step the position of the slider");
   }
   if (input.slider.pose != shapes::Pose{} || input.slider.changing.any()) {
     throw UserError("slider.roll, slider.pitch, slider.yaw: a live skin is given the angles with "

@@ -101,10 +101,10 @@ void DrivenSteps::require_progress(double time, double time_step) {
   }
   const bool light = options_.drive.mass == 0;
   throw SolverError(
-      fmt::format(
-          "the slider on its drive gets nowhere: {} contacts were solved until {:.9g} s, and "
-          "the next step is of {:.2g} s",
-          options_.most_tries, time, time_step),
+      fmt::format("the slider on its drive makes no progress: {} contacts were solved up to t = "
+                  "{:.9g} s, and "
+                  "the next step is of {:.2g} s",
+                  options_.most_tries, time, time_step),
       light
           ? "give motion.drive.mass, raise motion.drive.damping, or raise contact.kinetic_friction "
             "towards contact.friction: without a mass nothing but damping bounds the speed of a "

@@ -41,8 +41,8 @@ CellVector moved_by_others(const SkinModel& model, const std::vector<ForcePath>&
     if (apart < model.layers.reach()) {
       throw SolverError(fmt::format("two sliders come within {:.3g} mm of each other at {:.3g} s",
                                     1e3 * apart, time),
-                        fmt::format("keep them {:.3g} mm apart, to which short waves in the skin "
-                                    "reach",
+                        fmt::format("keep them {:.3g} mm apart: nearer, the local deformations "
+                                    "under both overlap, which is not solved",
                                     1e3 * model.layers.reach()));
     }
     finite_layers::CellFields forces;

@@ -40,7 +40,7 @@ ForeignHdf5File::ForeignHdf5File(const std::filesystem::path& path)
 void ForeignHdf5File::lost(Transfer how) const {
   const int signal = how == Transfer::late ? SIGXCPU : reader_.end();
   if (signal == SIGXCPU) {
-    throw UserError(fmt::format("{} keeps the HDF5 library busy without end and was given up\n  = "
+    throw UserError(fmt::format("the HDF5 library does not finish reading {}, and was stopped\n  = "
                                 "the file is damaged: write it again",
                                 path_.string()));
   }

@@ -236,9 +236,10 @@ FitResult fit(FitModel& model, FitData& data, const base::ProgressCallback& prog
   misfit.rethrow();
   base::check_interrupt();
   if (!summary.IsSolutionUsable()) {
-    throw SolverError("the least squares found no way from the start: " + summary.message +
-                          (model.last_failure().empty() ? "" : "; " + model.last_failure()),
-                      "start from other values of the free keys");
+    throw SolverError(
+        "the least-squares solver cannot improve on the starting values: " + summary.message +
+            (model.last_failure().empty() ? "" : "; " + model.last_failure()),
+        "start from other values of the free keys");
   }
   FitResult result = summarise(model, data, misfit, start, at);
   progress("least squares", 1.0);

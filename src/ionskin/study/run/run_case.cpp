@@ -111,8 +111,8 @@ MechanicsRecord study_1(const Case& input, const RunOptions& options, double sta
   }
   if (options.studies == Studies::electrochemistry) {
     throw UserError(folder.path().string() +
-                    " holds no finished mechanics of this case, which "
-                    "--only electrochemistry takes up: run without --only, or with "
+                    " holds no finished mechanics of this case, which --only electrochemistry "
+                    "needs: run without --only, or with "
                     "--only mechanics, first");
   }
   std::optional<mechanics::ContactSolution> path; // as far as it went

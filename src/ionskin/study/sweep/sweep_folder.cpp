@@ -89,9 +89,10 @@ bool rename_whole(const fs::path& from, const fs::path& to) {
     return true;
   }
   if (error != std::errc::directory_not_empty && error != std::errc::file_exists) {
-    throw UserError(fmt::format("{} cannot be put in its place: {}\n  = move away what is "
-                                "there, and finish the sweep with --resume",
-                                to.string(), error.message()));
+    throw UserError(fmt::format(
+        "the finished {} cannot be renamed to its final name: {}\n  = move away what is "
+        "there, and finish the sweep with --resume",
+        to.string(), error.message()));
   }
   return false;
 }

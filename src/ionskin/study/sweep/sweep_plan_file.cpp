@@ -208,8 +208,8 @@ PlannedSweep parse(const fs::path& path) {
   } catch (const Damaged&) {
   } catch (const nlohmann::json::exception&) {
   }
-  throw UserError(
-      fmt::format("{} is not a plan of ionskin or is damaged\n  = {}", path.string(), again));
+  throw UserError(fmt::format("{} is not a sweep plan that ionskin wrote, or is damaged\n  = {}",
+                              path.string(), again));
 }
 
 void read_case_of(const SweepRequest& request, SweepPoint& point) {
