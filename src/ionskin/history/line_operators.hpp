@@ -6,9 +6,9 @@
 
 namespace ionskin::history {
 
-// One-dimensional operators along a mesh line. Tensor products of them carry a field from the
-// places of the mechanics to the cells of the ion transport without losing integral or first
-// moment.
+// One-dimensional operators along a line of a grid. Tensor products of them transfer a field from
+// the strain points of Study 1 (mechanics) to the cells of Study 2 (ion transport), and conserve
+// its integral and first moment.
 
 /// Linear operator along one direction of a grid, stored as sparse rows: row i has the weights of
 /// the source entries first[i], first[i] + 1, ...

@@ -9,7 +9,7 @@ namespace ionskin::mesh {
 // All lines start at 0, ascend strictly and end at `length` exactly.
 
 /// Zone at the begin of a graded line in which elements have a bound of their own. Both lengths are
-/// those before the line is scaled to its length [m].
+/// those before the line is scaled [m].
 struct EdgeZone {
   double width = 0;   ///< of the zone, from the begin of the line [m]
   double largest = 0; ///< largest size of elements that begin within the zone [m]

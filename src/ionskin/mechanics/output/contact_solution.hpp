@@ -136,7 +136,8 @@ struct ContactSolution {
   /// displacement of the surface is within 1 % of its value in full slip, or where the slide ends.
   std::vector<std::array<double, 2>> stepped_onsets;
   std::vector<std::string> warnings; ///< for the user, as whole sentences
-  /// Largest `ContactState::complementarity_residual` over all steps of the path, kept or not [1].
+  /// Largest `ContactState::complementarity_residual` over all steps of the path, stored or not
+  /// [1].
   double worst_complementarity_residual = 0;
   /// Energy that the contact loses where adhesion makes it jump, on the full skin [J].
   double adhesion_loss = 0;
