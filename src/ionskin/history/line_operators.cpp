@@ -11,7 +11,7 @@ namespace {
 
 const double gauss_offset = 1.0 / std::sqrt(3.0);
 
-/// Keeps the span between the first and the last nonzero weight of a dense row.
+/// Appends a dense row of weights, stripped of zeros at its begin and end.
 void push_row(LineOperator& line, const std::vector<double>& dense) {
   std::size_t begin = 0;
   std::size_t end = dense.size();
@@ -26,7 +26,8 @@ void push_row(LineOperator& line, const std::vector<double>& dense) {
                             dense.begin() + static_cast<std::ptrdiff_t>(end));
 }
 
-/// Adds the integral of the two hat functions of [left, right] over [from, to] within it.
+/// Adds the integrals over [from, to] of the two hat functions on [left, right], which contains
+/// [from, to], to their weights.
 void add_linear_integral(double left, double right, double from, double to, double& weight_left,
                          double& weight_right) {
   const double mean = (0.5 * (from + to) - left) / (right - left);
@@ -34,9 +35,10 @@ void add_linear_integral(double left, double right, double from, double to, doub
   weight_right += (to - from) * mean;
 }
 
-/// L2 projection of functions that are linear in each interval, given at two places in it, on
-/// continuous ones that are linear in each of its equal parts.
-/// @param offset of the two places from the middle, over half the interval
+/// L2 projection onto continuous piecewise linear functions, with `parts` equal pieces in each
+/// interval. The source is linear in each interval, and given by its values at two points there.
+/// @param offset distance of the two points from the middle of the interval, over half its length
+///   [1]
 LineOperator projection(const std::vector<double>& lines, Eigen::Index parts, double offset) {
   const auto intervals = static_cast<Eigen::Index>(lines.size() - 1);
   const Eigen::Index nodes = parts * intervals + 1;

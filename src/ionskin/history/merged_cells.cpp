@@ -10,7 +10,7 @@
 namespace ionskin::history {
 namespace {
 
-/// Indices of the edges that stay: every other one from both ends, and the middle between them.
+/// Indices of the edges that remain: every other one, counted from both ends up to the middle.
 std::vector<std::size_t> kept_edges(std::size_t edges) {
   const std::size_t last = edges - 1;
   std::vector<std::size_t> low, high;
@@ -25,7 +25,8 @@ std::vector<std::size_t> kept_edges(std::size_t edges) {
   return low;
 }
 
-/// Means over the merged cells of a direction; `inner` values lie between neighbours along it.
+/// Means of a field over merged cells along one direction.
+/// @param inner number of values between neighbours along that direction
 StrainField merged(const StrainField& field, const std::vector<double>& edges,
                    const std::vector<std::size_t>& kept, std::size_t inner) {
   const std::size_t cells = edges.size() - 1, outer = field.size() / (cells * inner);

@@ -5,9 +5,10 @@
 
 namespace ionskin::history {
 
-/// A history on cells twice as wide in x and y, each with the mean of those that it takes in:
-/// integrals over the core stay. Cells are merged from both ends inwards, so that mirror images
-/// stay.
+/// Coarsens a history: pairs of neighbouring cells along x and along y become one cell with their
+/// mean, so that integrals over the core stay. Pairs are formed from both ends inwards, so that
+/// symmetric fields stay symmetric; of an odd number, one or three cells make the middle one. Used
+/// to estimate the error of the grid.
 CoreHistory merge_cells(const CoreHistory& history);
 
 } // namespace ionskin::history

@@ -5,7 +5,8 @@
 
 namespace ionskin::history {
 
-/// Samples that a usual slide, over two fifths of the skin, is expected to have.
+/// Expected number of samples of the strain history during a typical slide, which covers two fifths
+/// of the skin's length [1].
 double samples_per_slide(const Numerics& numerics);
 
 } // namespace ionskin::history

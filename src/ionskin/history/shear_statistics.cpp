@@ -12,7 +12,7 @@
 namespace ionskin::history {
 namespace {
 
-/// The field at an instant with the areas of its columns inside the core.
+/// A channel at an instant, with the areas of the grid's columns inside the core.
 struct Instant {
   StrainField field;
   std::vector<double> area; ///< [y][x] [m2]
@@ -36,8 +36,8 @@ struct Sample {
   double volume = 0; ///< [m3]
 };
 
-/// Narrows the samples to the uppermost that fill the given volume, and returns the smallest
-/// magnitude of them.
+/// Narrows samples to those of largest magnitude that fill a given volume [m3].
+/// @returns the smallest magnitude among them
 double narrow_to_top(std::span<Sample>& samples, double volume) {
   std::size_t begin = 0, end = samples.size();
   while (end - begin > 1) {
@@ -60,8 +60,8 @@ double narrow_to_top(std::span<Sample>& samples, double volume) {
   return samples.empty() ? 0.0 : samples.front().magnitude;
 }
 
-/// Integral over the core of what `mean_of(low, high)` gives as the mean over an interval between
-/// two levels [m3].
+/// Integral of a channel over the core [unit of the channel times m3].
+/// @param mean_of mean over an interval between two z nodes, from the values at the nodes
 template <class MeanOf>
 double integral(const CoreHistory& history, const Instant& instant, const MeanOf& mean_of) {
   const auto& z = history.grid.z_nodes;

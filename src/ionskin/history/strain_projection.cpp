@@ -17,8 +17,8 @@ void StrainProjection::evaluate(double time, std::vector<double>& field) const {
   const LineOperator along_x = overlap_averages(skin_x_edges(history_, at), x_edges_);
   const LineOperator along_y = overlap_averages(skin_y_edges(history_, at), y_edges_);
   const std::size_t levels = history_.grid.z_nodes.size();
-  // The projection along y comes first: of a field that mid-width mirrors, half the rows are left
-  // for the others.
+  // The projection along y comes first: for a field symmetric about mid-width it leaves half the
+  // rows to the other projections.
   apply_along(along_y, levels, history_.grid.columns_x(), source_, after_y_);
   apply_along(along_x, levels * along_y.rows(), 1, after_y_, after_x_);
   apply_along(along_z_, 1, along_x.rows() * along_y.rows(), after_x_, field);

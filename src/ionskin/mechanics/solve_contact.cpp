@@ -27,8 +27,8 @@ std::vector<ContactVariant> choose(const std::vector<ContactVariant>& variants,
   return result;
 }
 
-/// Footprints that some solutions need wider, with those that need them. Each decides by itself, so
-/// that no solution depends on its neighbours.
+/// Wider footprints that some solutions need, each with the indices of the solutions that need it.
+/// Each solution decides for itself, so that none depends on the others.
 std::vector<std::pair<mesh::Footprint, std::vector<std::size_t>>>
 wider_footprints(const std::vector<SteppedSolution>& solved) {
   std::vector<std::pair<mesh::Footprint, std::vector<std::size_t>>> result;
@@ -44,7 +44,7 @@ wider_footprints(const std::vector<SteppedSolution>& solved) {
   return result;
 }
 
-/// Variants that share a footprint are solved together.
+/// Finds the footprints of all variants and solves those that share a footprint together.
 std::vector<ContactSolution> solve_on_own_footprints(const Case& input,
                                                      const std::vector<ContactVariant>& variants,
                                                      const ContactOptions& options,

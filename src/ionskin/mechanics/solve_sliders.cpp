@@ -23,7 +23,7 @@ namespace ionskin::mechanics {
 namespace {
 
 constexpr int most_passes = 12;
-/// Share that a pass takes of the progress that is left: a few passes are usual.
+/// Share of the remaining progress that one pass takes [1]; a few passes are usual.
 constexpr double share_of_pass = 0.4;
 
 void require_together(const std::vector<Case>& sliders) {
@@ -47,7 +47,7 @@ void require_together(const std::vector<Case>& sliders) {
   }
 }
 
-/// Where a slider is at a time, and whether it may touch.
+/// Position of a slider at a time, and whether the slider may touch the skin.
 struct Whereabouts {
   std::array<double, 2> centre{};
   bool touches = false;
@@ -59,8 +59,9 @@ Whereabouts whereabouts(const std::vector<MotionLeg>& legs, double time) {
   return {at.centre(std::clamp(time - at.begin, 0.0, at.duration)), at.touches()};
 }
 
-/// Least distance of two sliders while both may touch, between instants of their legs: between
-/// those both go evenly, and the distance of two rectangles is convex in the place of one.
+/// Least distance of two sliders while both may touch [m]. It is searched between instants at which
+/// legs end: between these both sliders move evenly, and the distance of two rectangles is a convex
+/// function of their relative position.
 double least_distance(const std::vector<MotionLeg>& one, const mesh::Footprint& of_one,
                       const std::vector<MotionLeg>& other, const mesh::Footprint& of_other) {
   std::vector<double> instants{0};
@@ -148,9 +149,9 @@ std::vector<ContactSolution> solve_sliders(const std::vector<Case>& sliders,
   }
   require_apart(sliders, footprints);
   ContactOptions own = options;
-  // Half of the skin serves where all of them press on its middle.
+  // Half of the skin suffices where all sliders press on its middle.
   own.full_model = options.full_model || !all_on_middle(sliders, footprints);
-  own.unfinished = nullptr; // one slider's path alone is nobody's result
+  own.unfinished = nullptr; // the path of a single slider is no result
   const double resolution = path_resolution(sliders.front().numerics),
                tolerance = resolution * resolution;
   const auto count = static_cast<double>(sliders.size());

@@ -27,7 +27,8 @@
 namespace ionskin::mechanics {
 namespace {
 
-/// The contact of a round slider may turn out to need a wider footprint, and with it another pass.
+/// Share of the progress that a pass takes which may be followed by another one, on a wider
+/// footprint, as under a round slider [1].
 constexpr double share_of_uncertain_pass = 0.9;
 constexpr std::size_t units_per_path = 10; // of the progress
 constexpr double force_share = 0.4;        // of the resolution's square
@@ -40,7 +41,8 @@ ThinningTolerance thinning_tolerance(const Case& input, const mesh::Footprint& f
           longest_kept_travel(input), resolution * resolution};
 }
 
-/// The middle of the slide, the end of touchdown and the instants of field output, within a cycle.
+/// Instants of a cycle that must be stored: the middle of the slide, the end of touchdown and the
+/// instants of field output [s].
 std::vector<double> requested_instants(const Case& input, const std::vector<MotionLeg>& legs) {
   const MotionLeg slide = whole_slide(legs);
   std::vector<double> instants{slide.begin + 0.5 * slide.duration};
@@ -55,7 +57,7 @@ std::vector<double> requested_instants(const Case& input, const std::vector<Moti
   return instants;
 }
 
-/// Instants between which the forces of other sliders are linear.
+/// Instants between which the forces of other sliders are linear in time, ascending [s].
 std::vector<double> instants_of(const std::vector<ForcePath>& others) {
   std::vector<double> instants;
   for (const ForcePath& path : others) {
@@ -67,7 +69,8 @@ std::vector<double> instants_of(const std::vector<ForcePath>& others) {
   return instants;
 }
 
-/// Largest number of tries of a drive: many times what is expected, and what its swings take.
+/// Largest number of contact solutions for a slider on a drive: many times the expected number, and
+/// as many as its oscillations take.
 std::size_t most_tries(const Case& input) {
   constexpr double least = 5000, per_step = 50, per_period = 200, most_periods = 1e4;
   const double period = input.motion.drive.natural_period();
@@ -164,7 +167,8 @@ ContactSolution solve_path(const Case& input, const std::vector<MotionLeg>& legs
   return solution;
 }
 
-/// Says where a slider on a drive comes nearer to an edge than its skin was resolved for.
+/// Adds a warning where a slider on a drive came nearer to an edge of the skin than the skin was
+/// resolved for.
 void warn_of_near_edges(const Case& input, const SkinModel& model, ContactSolution& contact) {
   constexpr double tolerated = 0.9; // of the reach of short waves
   MotionBox places = model.places;
@@ -195,7 +199,7 @@ void warn_of_unresolved_map(const Case& input, ContactSolution& contact) {
   }
 }
 
-/// Never touched.
+/// Solutions of a slider that never touches the skin.
 std::vector<SteppedSolution> untouched(const std::vector<MotionLeg>& legs, ContactSolution empty,
                                        std::size_t count) {
   for (const MotionLeg& leg : legs) {
@@ -246,7 +250,7 @@ std::vector<SteppedSolution> solve_stepped(const Case& input, const mesh::Footpr
     std::ranges::move(warnings, std::back_inserter(contact.warnings));
     warn_of_near_edges(input, *model, contact);
     warn_of_unresolved_map(input, contact);
-    // Each by itself, so that no solution depends on its neighbours.
+    // Each variant decides for itself, so that no solution depends on the others.
     solutions[i].wider = widened_footprint(input, footprint, contact);
     if (solutions[i].wider) {
       contact = empty_solution(*model); // its strains are not recovered

@@ -10,13 +10,17 @@
 
 namespace ionskin::mechanics {
 
-/// Study 1 of a variant on one footprint.
+/// Result of Study 1 for one variant on a given footprint.
 struct SteppedSolution {
-  ContactSolution contact;              ///< nothing of it where it needs a wider footprint
-  std::optional<mesh::Footprint> wider; ///< footprint that it needs: its contact reached the border
+  ContactSolution contact; ///< without instants if a wider footprint is needed
+  /// Wider footprint to solve on, where the contact reached the border of the given one; else
+  /// empty.
+  std::optional<mesh::Footprint> wider;
 };
 
-/// Study 1 on one footprint, one solution per variant, which share the skin.
+/// Runs Study 1 for several variants on one footprint, on a common skin model.
+/// @param progress counts the parts of the work that are done
+/// @returns one solution for each variant, in their order
 std::vector<SteppedSolution> solve_stepped(const Case& input, const mesh::Footprint& footprint,
                                            const std::vector<ContactVariant>& variants,
                                            const ContactOptions& options, base::Timers& timers,

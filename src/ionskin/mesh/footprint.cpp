@@ -10,9 +10,11 @@
 namespace ionskin::mesh {
 namespace {
 
-/// For friction, finite slopes and what else the bounds leave out.
+/// Factor on the bounds of a contact's border, for friction, finite slopes and whatever else the
+/// bounds leave out [1].
 constexpr double allowance = 1.15;
-/// Part of the room between slider and skin's edge that is left to the mesh outside.
+/// Share of the room between slider and edge of the skin that is left to the mesh outside the
+/// footprint [1].
 constexpr double outside_share = 0.1;
 
 double plane_modulus(const Layer& layer) {
@@ -28,8 +30,8 @@ double softest_plane_modulus(const Skin& skin) {
   return least;
 }
 
-/// Over which what lies on the softest layer spreads a load, as a plate of thickness t:
-/// t (E_plate / E_softest)^(1/3) [m].
+/// Length over which the layers above the softest one spread a load, as a plate of thickness t: t
+/// (E_plate / E_softest)^(1/3) [m].
 double spread_of_plate(const Skin& skin, double softest) {
   double thickness = 0, stiffness = 0; // E t
   for (std::size_t i = skin.layers.size(); i-- > 0 && plane_modulus(skin.layers[i]) > softest;) {
@@ -39,9 +41,10 @@ double spread_of_plate(const Skin& skin, double softest) {
   return std::cbrt(thickness * thickness * stiffness / softest);
 }
 
-/// Plane-strain modulus of the skin under a contact of half-width a [Pa]. Under a round one a plate
-/// that spreads loads over L adds E (L / a)^3 to the modulus E of what it lies on; under a line it
-/// bends along and adds less: the power 1, and the factor of both, fit contacts that runs found.
+/// Plane-strain modulus of the skin under a contact of half-width a [Pa]. Under a round contact, a
+/// plate that spreads loads over L adds E (L / a)^3 to the modulus E of the layer below. Under a
+/// line contact the plate bends in one direction only and adds less: there the power is 1. That
+/// power and the factor in both cases were fitted to contacts that runs found.
 double felt_plane_modulus(const Skin& skin, const Footprint& contact) {
   constexpr double share_of_plate = 4.0 / 3;
   double half_width = std::numeric_limits<double>::infinity();
@@ -57,8 +60,8 @@ double felt_plane_modulus(const Skin& skin, const Footprint& contact) {
                   softest * (1 + share_of_plate * (line ? spread : std::pow(spread, 3))));
 }
 
-/// Plane-strain modulus of skin and slider together [Pa]: a soft slider gives as a half-space at
-/// most.
+/// Plane-strain modulus of skin and slider in series [Pa]. A soft slider yields at most as much as
+/// a half-space.
 double common_plane_modulus(const Slider& slider, double of_skin) {
   if (slider.rigid()) {
     return of_skin;
@@ -67,7 +70,8 @@ double common_plane_modulus(const Slider& slider, double of_skin) {
   return 1 / (1 / of_skin + (1 - nu * nu) / slider.youngs_modulus);
 }
 
-/// Upper bound of the contact's border beyond the part that touches at once, on an even skin.
+/// Upper bound of the distance of the contact's border from the part that touches at once, on a
+/// half-space with the skin's modulus [m].
 double round_border(const Case& input, double of_skin, std::size_t direction) {
   const HeaviestLoad load = heaviest_load(input);
   const double plane_modulus = common_plane_modulus(input.slider, of_skin);
@@ -77,7 +81,7 @@ double round_border(const Case& input, double of_skin, std::size_t direction) {
                                           direction);
 }
 
-/// Distance from the slider's centre to the nearest edge of the skin over the track.
+/// Least distance of the slider's centre from the edges of the skin along its track [m].
 double room(const Case& input, std::size_t direction) {
   const double size = direction == 0 ? input.skin.length : input.skin.width;
   const MotionBox box = motion_box(input.motion, input.slider);

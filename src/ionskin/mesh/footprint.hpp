@@ -7,38 +7,47 @@
 
 namespace ionskin::mesh {
 
-/// The rectangle under the slider in which the skin may be touched, centred on the slider. Along
-/// each direction it ends at a sharp edge of the slider, or the border of the contact lies anywhere
-/// in a rim of some width inside it.
+/// Footprint: rectangle under the slider, centred on the slider, within which the slider may touch
+/// the skin. Along each direction the contact either ends at a sharp edge of the slider, or its
+/// border lies anywhere in a rim just inside the rectangle.
 struct Footprint {
-  std::array<double, 2> half_size{}; ///< along x and y [m]
-  std::array<double, 2> rim{};       ///< 0 for a sharp edge, half_size for a round contact [m]
+  std::array<double, 2> half_size{}; ///< half sizes along x and y [m]
+  /// Width of the rim along x and y [m]: 0 at a sharp edge, `half_size` for a round contact.
+  std::array<double, 2> rim{};
 
+  /// True if the contact ends at a sharp edge of the slider.
+  /// @param direction 0: along x, 1: along y
   bool sharp(std::size_t direction) const { return rim[direction] == 0; }
-  /// The border may lie anywhere, so all of it is meshed alike.
+  /// True if the border of the contact may lie anywhere along a direction (0: x, 1: y), as under a
+  /// sphere: all elements of the footprint are then equally large.
   bool round(std::size_t direction) const { return rim[direction] >= half_size[direction]; }
 };
 
-/// Heaviest load of a cycle; either may be 0.
+/// Largest indentation and largest normal force that the motion of a case prescribes during a
+/// cycle. Either is 0 where the motion prescribes none.
 struct HeaviestLoad {
   double indentation = 0; ///< [m]
-  double force = 0;       ///< on the full skin [N]
+  double force = 0;       ///< normal, on the full skin [N]
 };
 HeaviestLoad heaviest_load(const Case& input);
 
-/// The slider's plan as far as the skin reaches: no contact can be larger.
+/// Largest possible footprint: the plan of the slider. Unless the slider has sharp edges, its plan
+/// is cut off shortly before the edges of the skin that it comes nearest to on its track.
 Footprint footprint_limit(const Case& input);
 
-/// Largest footprint that the slider can have: the plan of a sharp slider; for another one what
-/// touches at once and the bound that its shape has for the border around it.
+/// Upper bound of the footprint of a slider under its heaviest load. It is the plan of a slider
+/// with sharp edges; for other shapes it is the flat part, which touches at once, and around it the
+/// bound that the shape has for the border of its contact on a half-space of the skin's softest
+/// layer.
 Footprint largest_footprint(const Case& input);
 
-/// True if a footprint along a direction ends where the skin does, not the slider: a contact that
-/// reaches its border leaves the skin.
+/// True if a footprint reaches the edge of the skin along a direction (0: x, 1: y) before it
+/// reaches the edge of the slider: a contact that fills this footprint leaves the skin.
 bool ends_at_skin(const Case& input, const Footprint& footprint, std::size_t direction);
 
-/// Estimate of the footprint that a solution will find: the largest but for a round contact under a
-/// force, which feels what lies on the softest layer as a plate.
+/// Estimate of the footprint that `mechanics::find_footprint` will find, without a solution of the
+/// contact. It equals `largest_footprint`, except for a contact that grows with a given force:
+/// there the stiffer layers above the softest one act as a plate, and make the contact smaller.
 Footprint expected_footprint(const Case& input);
 
 } // namespace ionskin::mesh

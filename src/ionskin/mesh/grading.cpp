@@ -24,7 +24,7 @@ std::vector<double> accumulate(const std::vector<double>& sizes, double length) 
   return line;
 }
 
-/// No mesh that can be solved comes near.
+/// Limit of the elements on a line, far above any mesh that can be solved.
 constexpr std::size_t most_elements = 100'000;
 
 [[noreturn]] void refuse_mesh(double length, double first) {

@@ -8,9 +8,9 @@
 namespace ionskin::mesh {
 namespace {
 
-/// Width of the zone inside a sharp edge over the characteristic length. The edge carries a line
-/// load, behind it the surface may lift off; contact begins again a third to a half of the length
-/// further in, and cells as wide as the gap would decide where.
+/// Width of the zone inside a sharp edge, over the characteristic length [1]. The edge carries a
+/// line load, and behind it the surface may lift off. Contact begins again a third to a half of the
+/// length further in; with cells as wide as the gap, the cells would decide where.
 constexpr double edge_zone_width = 0.6;
 
 struct PresetResolution {
@@ -19,8 +19,9 @@ struct PresetResolution {
   double outer_growth;
   double outer_minimum;
   double face_elements;
-  /// Half of the core's elements. An element astride the middle, where the shear of squeezing
-  /// changes its sign, spoils the mean of its magnitude: by 15 % of the element's part.
+  /// Half of the number of elements through the core. The number is even because an element across
+  /// the middle, where the shear of squeezing changes its sign, would falsify the mean of its
+  /// magnitude by 15 % of the element's share.
   double half_core_elements;
   double core_growth;
   double rim_elements, depth_growth;

@@ -16,12 +16,14 @@
 namespace ionskin::mesh {
 namespace {
 
-/// Outer elements thinner than this fraction of the edge element are refused.
+/// Least size of outer elements, over the size of the edge element [1]; a mesh with smaller ones is
+/// refused.
 constexpr double smallest_margin = 0.05;
-/// Width of the edge layer at a free face, in thicknesses of the skin: along the bonded base, the
-/// layers' ends and the corners between them the strain varies within about half of one. Friction
-/// pulls at electrodes over many thicknesses, so that ends far from the slider have it, too. What
-/// the face is free of fades over a few thicknesses: up to there elements grow from the layer on.
+/// Width of the edge layer at a free face, and distance from the face up to which elements grow
+/// from that layer on, in thicknesses of the skin [1]. Along the bonded base, the ends of the
+/// layers and the corners between them, the strain varies within about half a thickness. The effect
+/// of the free face fades over a few thicknesses. Ends far from the slider have the layer, too,
+/// because friction pulls at electrodes over many thicknesses.
 constexpr double face_layer = 0.5, face_zone = 3;
 
 std::size_t longest_way(const MotionBox& box) {
@@ -35,7 +37,8 @@ bool moves_on_symmetry_plane(const Case& input) {
          (covers_width(input) || offset <= 1e-12 * input.skin.width);
 }
 
-/// Lines from the edge inwards to the centre [m]: a uniform rim, then growing elements.
+/// Lines from the edge of the footprint inwards to its centre [m]: a uniform rim, then growing
+/// elements.
 std::vector<double> lines_inwards(const Footprint& footprint, const MeshResolution& resolution,
                                   std::size_t direction) {
   const double half_size = footprint.half_size[direction], rim = footprint.rim[direction];
@@ -52,7 +55,8 @@ std::vector<double> lines_inwards(const Footprint& footprint, const MeshResoluti
   return lines;
 }
 
-/// Lines from a free face inwards [m]. @param most of the room [m]
+/// Lines from a free face of the skin inwards, from 0 [m].
+/// @param most length that is available [m]
 std::vector<double> face_lines(double thickness, double most, const MeshResolution& resolution) {
   std::vector<double> lines = growing_line(std::min(face_layer * thickness, most),
                                            resolution.outer_growth, resolution.face_elements);

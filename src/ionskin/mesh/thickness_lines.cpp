@@ -15,7 +15,9 @@ std::vector<double> layer_line(const Layer& layer, const MeshResolution& resolut
                         core ? resolution.core_elements : resolution.electrode_elements);
 }
 
-/// Sizes in geometric progression downwards grow in proportion to the depth.
+/// Lines through a layer of a thick skin, from the bottom of the layer [m]. Sizes are in geometric
+/// progression downwards, that is, in proportion to the depth.
+/// @param depth of the top of the layer below the top face [m]
 std::vector<double> graded_layer_line(const Layer& layer, double depth, double top_size,
                                       double growth) {
   const double first = top_size + (growth - 1) * depth;
@@ -23,7 +25,8 @@ std::vector<double> graded_layer_line(const Layer& layer, double depth, double t
       graded_line(layer.thickness, first, growth, std::numeric_limits<double>::infinity()));
 }
 
-/// Element size of the footprint: that of its round directions, if it has any.
+/// Element size at the top face [m]: that of the footprint along the direction without a sharp edge
+/// if there is one such direction, or else the smaller one.
 double top_size_of(const Footprint& footprint, const MeshResolution& resolution) {
   const auto [along_x, along_y] = resolution.edge_size;
   if (footprint.sharp(0) != footprint.sharp(1)) {

@@ -8,15 +8,16 @@
 
 namespace ionskin::mesh {
 
-/// Element lines through the layers.
+/// Element lines through the thickness of all layers of the skin, made by `thickness_lines`.
 struct ThicknessLines {
-  std::vector<double> z;                 ///< ascending from the bottom of the lowest layer [m]
-  std::vector<std::size_t> layer_of_row; ///< per element row
+  std::vector<double> z; ///< lines, ascending from the bottom of the lowest layer [m]
+  std::vector<std::size_t> layer_of_row; ///< index of the layer of each element, from the bottom
 };
 
-/// A fixed count per layer in skins that are thin against the footprint. Where the skin is thicker
-/// than the footprint's smaller side, the strain varies with the depth under the contact instead,
-/// and elements grow downwards from the size of the footprint's.
+/// Element lines through the thickness of a skin. A skin that is no thicker than the footprint's
+/// smaller side has a fixed number of elements in each layer. In a thicker skin the strain varies
+/// with the depth under the contact instead, and elements grow downwards from the element size of
+/// the footprint.
 ThicknessLines thickness_lines(const Skin& skin, const Footprint& footprint,
                                const MeshResolution& resolution);
 

@@ -13,8 +13,8 @@
 namespace ionskin::mechanics {
 namespace {
 
-/// Share of its stiffness that a cell loses to the adhesion, at the most: the pull falls over a few
-/// cells where it is below a quarter, and cells let go one by one, each with a jump, near 1.
+/// Largest share of its stiffness that a cell loses to adhesion [1]. Below a quarter, the pull
+/// falls over a few cells at the border; near 1, cells let go one by one, each with a jump.
 double softening(const ContactProblem& problem) {
   double largest = 0;
   for (int cell = 0; cell < problem.cells(); ++cell) {

@@ -10,9 +10,11 @@
 
 namespace ionskin::mechanics {
 
-/// The cells must resolve the border over which adhesion lets go, docs/model.md (40): judged in the
-/// middle of the places `box`. Warns where they hardly do; throws SolverError where they do not.
-/// Does nothing under a friction law that does not pull.
+/// Checks that the cells resolve the border over which adhesion lets go, docs/model.md (40), with
+/// the slider in the middle of `box`. Does nothing under a friction law without adhesion.
+/// @param box positions of the slider's centre [m]
+/// @param warnings receives a sentence where the cells are too large for a good resolution
+/// Throws SolverError where the cells do not resolve the border at all.
 void require_resolved_adhesion(const Case& input, const SkinModel& model, const MotionBox& box,
                                std::vector<std::string>& warnings);
 

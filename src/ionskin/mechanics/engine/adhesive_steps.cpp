@@ -7,7 +7,7 @@
 namespace ionskin::mechanics {
 namespace {
 
-/// A step that may have jumped is halved so often, to find where.
+/// Number of times that a step which may have jumped is halved, to locate the jump.
 constexpr int halvings_of_jump = 8;
 
 } // namespace
@@ -15,7 +15,7 @@ constexpr int halvings_of_jump = 8;
 void AdhesiveSteps::step(const MotionLeg& leg, const LegLevels& levels, double from, double to,
                          int depth, const PassedSink& passed) {
   const bool shortest = depth == halvings_of_jump;
-  // A slider that a force moves stands where the skin carries it, or where it let go.
+  // A slider under a given force stands where the skin carries it, or where it came off.
   const double height_before = shortest ? passed({from, levels.height(from), true}) : 0;
   const SlidingContact::Moment before = contact().moment();
   const double energy = contact().energy();

@@ -5,8 +5,8 @@
 
 namespace ionskin::mechanics {
 
-/// Steps of a slider that adhesion holds: halved where the contact may jump, to find where. What
-/// jumps in the shortest step nevertheless loses energy, which is counted.
+/// Steps of a slider with adhesion. A step in which the contact may jump is halved, to locate the
+/// jump in time. A jump that remains in the shortest step loses energy, which is summed up.
 class AdhesiveSteps : public LegSteps {
 public:
   using LegSteps::LegSteps;
@@ -18,7 +18,7 @@ private:
   void step(const MotionLeg& leg, const LegLevels& levels, double from, double to, int depth,
             const PassedSink& passed);
 
-  double loss_ = 0;
+  double loss_ = 0; ///< on the meshed part [J]
 };
 
 } // namespace ionskin::mechanics

@@ -37,7 +37,7 @@ SliderGuide CompliantDrive::guide(double time_step, const DriveEnd& end) const {
       guide.expected[c] = end.place[c];
       continue;
     }
-    // The past adds this to the new velocity and acceleration.
+    // Contribution of past steps to the new velocity and acceleration.
     const double velocity =
         -rate.of_now * now_.place[c] + (before_ ? rate.of_before * before_->place[c] : 0.0);
     const double acceleration =

@@ -19,7 +19,8 @@ void store_tractions(const ContactCells& cells, const CellVector& force, Contact
   }
 }
 
-/// Even tractions act at the middles of their cells.
+/// Stores total forces and moments of the full skin. A uniform traction acts at the middle of its
+/// cell.
 void store_sums(const ContactCells& cells, const CellVector& force, bool half_model,
                 ContactState& state) {
   std::array<double, 3> sum{}, moment{};

@@ -7,13 +7,14 @@
 
 namespace ionskin::mechanics {
 
-/// Everything of a state but its strain and what goes with that: forces of the full skin, tractions
-/// and diagnostics.
-/// @param reference_force, reference_indentation scales of the diagnostics [N], [m]
+/// Fills in a contact state from a solved step: forces of the full skin, moments, tractions, areas,
+/// energies and diagnostics, everything but the strain.
+/// @param reference_force,reference_indentation scales of the diagnostics [N], [m]
+/// @param destination state to fill in, initially empty
 void describe(const SkinModel& model, const SurfaceState& state, const ContactProblem& problem,
               double reference_force, double reference_indentation, ContactState& destination);
 
-/// Largest normal force of a cell [N].
+/// Largest magnitude of the normal force on a cell [N].
 double largest_normal_force(const CellVector& force);
 
 } // namespace ionskin::mechanics

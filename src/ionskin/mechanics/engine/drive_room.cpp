@@ -11,8 +11,8 @@
 namespace ionskin::mechanics {
 namespace {
 
-/// Largest load on the full skin: what presses, or what a height takes that squeezes the layers
-/// like columns [N].
+/// Largest load on the full skin [N]: the largest prescribed force, or the force of the deepest
+/// indentation if the layers were squeezed like columns.
 double largest_load(const Case& input, const mesh::Footprint& footprint) {
   const mesh::HeaviestLoad heaviest = mesh::heaviest_load(input);
   double compliance = 0; // of a column [m/Pa]

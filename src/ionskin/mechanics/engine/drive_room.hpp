@@ -7,13 +7,14 @@
 
 namespace ionskin::mechanics {
 
-/// Room within which a slider on a drive may swing: with its footprint on the skin.
+/// Box within which the centre of a slider on a drive may move, so that its footprint stays on the
+/// skin [m].
 MotionBox room_on_skin(const Case& input, const mesh::Footprint& footprint);
 
-/// Places at which the centre of a slider is expected while it touches: of one on a drive by what
-/// friction and its mass do to the spring, within its room. It says how near faces of the skin are
-/// resolved.
-/// @param touching as of `contact_box`
+/// Box in which the centre of a slider is expected while it touches [m]. A slider on a drive may
+/// leave its path by as much as friction stretches the spring, and swing beyond, within
+/// `room_on_skin`. The skin is resolved for this box, the finer the nearer it comes to a face.
+/// @param touching box of `contact_box`
 MotionBox expected_places(const Case& input, const MotionBox& touching,
                           const mesh::Footprint& footprint);
 

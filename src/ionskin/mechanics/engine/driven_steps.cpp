@@ -13,15 +13,17 @@
 namespace ionskin::mechanics {
 namespace {
 
-/// The first step behind a landing, of the natural period; and of its leg without a mass.
+/// Length of the first step after a landing, over the natural period; without a mass, over the
+/// duration of the leg [1].
 constexpr double first_of_period = 0.01, first_of_leg = 1.0 / 1024;
 constexpr double longest_growth = 1.5, shortest_shrink = 0.3, aim = 0.8;
-/// A step that is still not foreseen, though it was shortened so often, is taken: something jumps.
+/// Number of times that a step is shortened because its end was not foreseen. After that it is
+/// taken, because something jumps.
 constexpr int most_rejections = 12;
 constexpr int most_failures = 10;
 constexpr double shortest = 1e-6; ///< step, of the natural period or of its leg
-/// Part of the way of the drive from no pull to full slip that it goes in one step while cells
-/// stick.
+/// Largest travel of the drive in a step while cells stick, over its travel from no pull to full
+/// slip [1].
 constexpr double share_of_onset = 0.05;
 
 DriveEnd end_at(const MotionLeg& leg, double fraction) {
@@ -56,8 +58,9 @@ std::array<double, 2> DrivenSteps::drive_force(const MotionLeg& leg, double frac
   return drive_.force(end_at(leg, fraction));
 }
 
-/// Longest step, as the last one allowed; and while cells stick the pull of the drive grows in
-/// small parts of what slips. How the slider swings on the skin that holds it is not followed.
+/// Longest next step [s]. It is limited by the step before and, while cells stick, so that the pull
+/// of the drive grows by small parts of the friction limit. Oscillations of the slider on the
+/// elastic skin are not resolved.
 double DrivenSteps::longest_step(const MotionLeg& leg) const {
   double longest = longest_ > 0 ? longest_ : std::numeric_limits<double>::infinity();
   if (leg.length() > 0 && contact().in_contact() && contact().sticks()) {
@@ -137,7 +140,7 @@ double DrivenSteps::advance(const MotionLeg& leg, const LegLevels& levels, doubl
     }
     const double surprise = drive_.surprise(time_step, contact().place()) / tolerance;
     const double travel = distance(contact().place(), drive_.place()) / options_.longest_travel;
-    // The first grows about with the cube of the step, the second in proportion.
+    // The error of position grows about with the cube of the step, travel in proportion to it.
     const double scale = std::min(surprise > 0 ? std::cbrt(aim / surprise) : longest_growth,
                                   travel > 0 ? aim / travel : longest_growth);
     if ((surprise > 1 || travel > 1) && rejections < most_rejections && time_step > least) {

@@ -27,11 +27,11 @@ void KeptPath::add(const StepPoint& point, const SlidingContact& contact) {
     largest_indentation_ = std::max(largest_indentation_, std::abs(state.indentation));
     instant.force = state.force;
     instant.state = std::make_shared<ContactState>();
-    // Nothing is there on landing to compare with what other sliders lift the face by.
+    // There is no indentation on landing to compare with the lift of the face by other sliders.
     const double reference =
         largest_indentation_ > 0 ? largest_indentation_ : std::numeric_limits<double>::infinity();
     describe(model_, state, contact.problem(), largest_force_, reference, *instant.state);
-    if (point.time > last_time_) { // an instant that comes twice slips once
+    if (point.time > last_time_) { // the slip of an instant that comes twice counts once
       for (std::size_t cell = 0; cell < total_slip_.size(); ++cell) {
         total_slip_[cell] += state.slip[cell];
       }
@@ -49,7 +49,8 @@ void KeptPath::add(const StepPoint& point, const SlidingContact& contact) {
   thinning_.add(std::move(instant));
 }
 
-/// Depth of a slider without load below the first place of the skin that it would touch [m].
+/// Depth of a slider without load below the first point of the skin that it would touch [m]; an
+/// error if above 0.
 double KeptPath::unresisted_depth(const StepPoint& point, const SlidingContact& contact) {
   return -point.height - contact.problem().least_free_gap();
 }

@@ -10,13 +10,16 @@
 
 namespace ionskin::mechanics {
 
-/// Path that a solution keeps: the instants that thinning leaves, with their states.
+/// Path that a solution stores: the instants that `PathThinning` leaves of all steps, with their
+/// states, written into a `ContactSolution`.
 class KeptPath {
 public:
-  /// @param model,solution outlive the path
+  /// @param model,solution must outlive this object
+  /// @param strains receives the forces of each stored state, and recovers its strain
   KeptPath(const SkinModel& model, std::shared_ptr<SteppedStrains> strains,
            const ThinningTolerance& tolerance, ContactSolution& solution);
 
+  /// Adds the state of the contact at an instant.
   void add(const StepPoint& point, const SlidingContact& contact);
   void finish() { thinning_.finish(); }
 

@@ -10,7 +10,7 @@ SliderLoad LegLevels::load(double fraction) const {
   if (fraction == 1 && at_end) {
     return {LoadKind::force, *at_end * meshed_share};
   }
-  // The level must hold nothing back by rounding where the slider leaves.
+  // Rounding must not leave an indentation where the slider leaves the skin.
   return {LoadKind::indentation, fraction == end && leaves() ? 0.0 : -at(fraction)};
 }
 
@@ -29,7 +29,7 @@ LegLevels leg_levels(const MotionLeg& leg, const SlidingContact& contact,
   levels.from = leg.from_level.is_force ? off : leg.from_level.value;
   levels.to = leg.to_level.value;
   if (leg.to_level.is_force) {
-    // The height at which the force will be carried: tried out, then taken back.
+    // Finds the height at which the force will be carried, on a copy of the contact.
     SlidingContact trial = contact;
     trial.set_end_of_step(leg.end());
     levels.at_end = leg.to_level.value;

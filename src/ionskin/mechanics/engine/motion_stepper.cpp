@@ -13,8 +13,8 @@
 namespace ionskin::mechanics {
 namespace {
 
-/// Steps of the rest of a slider, while friction that depends on rate relaxes: first step over its
-/// duration, and growth of the steps.
+/// Steps while the slider rests and rate-dependent friction relaxes: first step over the duration
+/// of the rest, and ratio of successive steps [1].
 constexpr double first_of_rest = 1.0 / 1024, growth_of_rest = 1.5;
 constexpr double instant_tolerance = 1e-12; // of the time itself
 
@@ -47,6 +47,7 @@ bool MotionStepper::asked_for(double time) const {
   return next != options_.instants.end() && *next <= time + tolerance;
 }
 
+/// Reports an instant to the sink.
 /// @returns the height that was reported [m]
 double MotionStepper::emit(const MotionLeg& leg, double fraction, std::optional<double> height,
                            bool required) {
@@ -66,7 +67,8 @@ double MotionStepper::emit(const MotionLeg& leg, double fraction, std::optional<
   return last_height_;
 }
 
-/// With adhesion also near the skin, and wherever it still holds on.
+/// True if the slider may touch along a leg. With adhesion this includes legs near the skin, and a
+/// contact that still holds on.
 bool MotionStepper::may_touch(const MotionLeg& leg) const {
   const auto near = [&](const SliderLevel& level) {
     return !level.is_force && level.value < contact_.range();
@@ -83,8 +85,8 @@ void MotionStepper::follow(const MotionLeg& leg) {
   emit(leg, 1, leg.to_level.is_force ? std::nullopt : std::optional(leg.to_level.value), false);
 }
 
-/// The problem of a flat slider is homogeneous from no load on in the indentation, where the limit
-/// of friction is in proportion to the pressure: one step is exact.
+/// Number of steps of a touchdown. Under a flat slider the solution is proportional to the
+/// indentation, if the friction limit is proportional to the pressure: a single step is exact.
 int MotionStepper::touchdown_steps() const {
   const ContactProblem& problem = contact_.problem();
   const bool flat = std::ranges::all_of(problem.gap, [](double gap) { return gap == 0; });
@@ -94,7 +96,8 @@ int MotionStepper::touchdown_steps() const {
   return flat && proportional && !contact_.in_contact() ? 1 : options_.steps.touchdown;
 }
 
-/// A slider that sets off, halts, or begins to change its load starts a fresh transient.
+/// Notes an event where the slider sets off, halts, or begins to change its load, since that starts
+/// a fresh transient.
 void MotionStepper::note_change(const MotionLeg& leg, const LegLevels& levels) {
   const bool travels = leg.length() > 0 || leg.turns(), loads = levels.changes();
   if (contact_.in_contact() && (travels != travels_ || loads != loads_)) {
@@ -104,8 +107,8 @@ void MotionStepper::note_change(const MotionLeg& leg, const LegLevels& levels) {
   loads_ = loads;
 }
 
-/// Part of a leg that turns the slider by a step: by its angle about z, and by how far its border
-/// rises and sinks where it is tilted.
+/// Largest part of a leg in one step while the slider turns [1]. It limits the angle about z and,
+/// where the slider tilts, how far its border rises and sinks.
 double MotionStepper::share_of_turn(const MotionLeg& leg) const {
   if (!leg.turns()) {
     return 1;
@@ -113,7 +116,7 @@ double MotionStepper::share_of_turn(const MotionLeg& leg) const {
   const shapes::Pose &from = leg.from_pose, &to = leg.to_pose;
   const double tilt = std::max(std::abs(to.roll - from.roll), std::abs(to.pitch - from.pitch));
   const double rise = tilt * options_.half_diagonal, turn = std::abs(to.yaw - from.yaw);
-  // A force alone says nothing of depth: the border's way is then counted in steps of its own.
+  // A force gives no depth to compare with: the rise of the border then takes all steps.
   const double depth = options_.heaviest_indentation > 0 ? options_.heaviest_indentation : rise;
   return 1 / std::max({1.0, turn / options_.longest_turn,
                        turn * options_.half_diagonal / options_.longest_travel,
@@ -128,7 +131,7 @@ double MotionStepper::next_fraction(const MotionLeg& leg, const LegLevels& level
         steps_->follows_path() ? travel_.longest() : std::numeric_limits<double>::infinity();
     next = std::min(next, at + std::min(onset, options_.longest_travel) / travel);
   }
-  // A slider that adhesion holds may go by pulls, or by heights above the skin, alone.
+  // With adhesion, a leg may have only pulls, or only heights above the skin.
   const double scale =
       levels.by_force
           ? std::max({options_.heaviest_force / options_.meshed_share, std::abs(levels.from),
@@ -150,13 +153,14 @@ double MotionStepper::next_fraction(const MotionLeg& leg, const LegLevels& level
       next = std::min(next, (*instant - leg.begin) / leg.duration);
     }
   }
-  // No sliver is left behind.
+  // No tiny step is left at the end.
   return next > levels.end - 1e-3 * (next - at) ? levels.end : next;
 }
 
-/// The slider comes to the skin, to where it may touch. @returns whether it lands
+/// Brings the slider to the point of the leg where it may touch.
+/// @returns true if it lands there
 bool MotionStepper::lands_on_the_way(const MotionLeg& leg, const LegLevels& levels) {
-  // A slider that lies on the skin from the first has come there through the air, without slip.
+  // A slider that lies on the skin at the start has come there through the air, without slip.
   if (levels.begin > 0 || (contact_.range() == 0 && !contact_.in_contact())) {
     contact_.set_end_of_step(leg.begin + levels.begin * leg.duration);
     contact_.step(levels.begin * leg.duration, leg.centre(levels.begin * leg.duration),
@@ -233,7 +237,7 @@ void MotionStepper::go(const MotionLeg& leg, const LegLevels& levels) {
     const bool leaves = lets_go || (at == levels.end && levels.leaves());
     if (onset_open_) {
       onsets_.back()[1] = time;
-      // The path does not say how fast a driven slider goes.
+      // The path does not tell the speed of a slider on a drive.
       const bool over =
           steps_->follows_path() ? travel_.is_over(leg, contact_) : !contact_.sticks();
       onset_open_ = !leaves && !over;
@@ -251,7 +255,7 @@ void MotionStepper::go(const MotionLeg& leg, const LegLevels& levels) {
     }
   }
   if (levels.leaves()) {
-    if (contact_.in_contact()) { // others lift the skin above its undeformed face
+    if (contact_.in_contact()) { // other sliders lift the skin above its undeformed face
       contact_.set_end_of_step(leg.end());
       contact_.step((1 - levels.end) * leg.duration, leg.to, levels.load(1), leg.to_pose);
     }

@@ -8,14 +8,15 @@
 namespace ionskin::mechanics {
 namespace {
 
-/// Share of the surface's displacement in full slip: with less than this left, nothing sticks any
-/// more.
+/// Share of the surface's displacement in full slip that is left when nothing sticks any more, at
+/// most [1].
 constexpr double negligible_onset = 1e-6;
-/// With less than this left, the onset is over.
+/// Share of the surface's displacement in full slip that is left when an onset is over, at most
+/// [1].
 constexpr double end_of_onset = 1e-2;
-/// Growth of the steps behind an onset, where they lengthen faster.
+/// Ratio of successive travel increments once all cells slip, larger than during the onset [1].
 constexpr double growth_of_full_slip = 1.3;
-/// A row shorter than the onset is cut into at most so many steps.
+/// Largest number of steps of a leg that is shorter than the onset.
 constexpr int most_cuts_of_short_leg = 8;
 
 } // namespace

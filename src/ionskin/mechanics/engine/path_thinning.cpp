@@ -9,9 +9,9 @@ namespace ionskin::mechanics {
 namespace {
 
 constexpr std::size_t most_waiting = 64;
-/// Steps are often as long as a limit or a part of it: rounding must not decide between them.
+/// Allowance for rounding [1]: steps are often exactly as long as a limit, or as a fraction of it.
 constexpr double beyond_rounding = 1 + 1e-6;
-/// Gap of a cell that the underside does not cover, at least [m].
+/// Least gap of a cell that the underside does not cover [m].
 constexpr double far_beyond = 0.1;
 
 double component(const CellVector& force, std::size_t at) {
@@ -62,7 +62,7 @@ bool PathThinning::straight(const Instant& to) const {
   return true;
 }
 
-/// True if the turn of the slider is straight, too.
+/// True if the displacement of the underside by tilt and turn is linear in time, too, up to `to`.
 bool PathThinning::stays_straight(const Instant& between, const Instant& to, double weight) const {
   if (!between.turned || !kept_.turned || !to.turned) {
     return !between.turned && !to.turned;

@@ -6,7 +6,7 @@
 namespace ionskin::mechanics {
 namespace {
 
-/// A step without a solution is halved so often before the motion is given up.
+/// Number of times that a step without a solution is halved before the motion is given up.
 constexpr int most_halvings = 6;
 
 } // namespace

@@ -5,7 +5,7 @@
 
 namespace ionskin::mechanics {
 
-/// Steps of a slider whose motion is prescribed: halved where the contact has no solution.
+/// Steps of a slider on a prescribed path. A step in which the contact has no solution is halved.
 class PrescribedSteps : public LegSteps {
 public:
   using LegSteps::LegSteps;

@@ -16,11 +16,12 @@ bool is_loaded(const CellVector& force) {
   return std::any_of(force.begin(), force.end(), [](double value) { return value != 0; });
 }
 
-/// Largest change in a contact with adhesion: by so much of itself the load of the cells changes in
-/// a step that nothing jumps in.
+/// Largest relative change of the normal forces, as sums of magnitudes, in a step of an adhesive
+/// contact without a jump [1].
 constexpr double most_changed = 0.5;
 
-/// Change of the cells' normal forces over their size.
+/// Relative change of the cells' normal forces [1]: sum of the magnitudes of the changes, over the
+/// larger sum of the magnitudes before and after.
 double change_of_load(const CellVector& before, const CellVector& after) {
   double change = 0, first = 0, last = 0;
   for (std::size_t at = 0; at < before.size(); at += 3) {
@@ -39,8 +40,8 @@ double total_force(const CellVector& force, std::size_t component) {
   return sum;
 }
 
-/// A contact problem with a slider that yields: to the cells it is one more compliance, alike for
-/// all of them, docs/model.md (39).
+/// Contact problem with a slider that yields: to the cells, the slider is one more compliance,
+/// equal between any two cells, docs/model.md (39).
 ContactProblem yielding_problem(const ContactProblem& problem,
                                 const std::array<double, 2>& compliance) {
   ContactProblem yielding = problem;
@@ -86,7 +87,8 @@ bool SlidingContact::sticks() const {
   return stick_fraction(problem_, state_.force) > 0;
 }
 
-/// A speed that lags behind that of the last step's slip, some time further.
+/// Lagged speed of slip in each cell after `time_step` [s], following the speed of slip in the
+/// last step [m/s].
 std::vector<double> SlidingContact::followed(const std::vector<double>& speed,
                                              double time_step) const {
   const double lag = problem_.friction.lag, last = state_.step.time_step;
@@ -103,8 +105,8 @@ std::vector<double> SlidingContact::followed(const std::vector<double>& speed,
   return result;
 }
 
-/// Divides the slip of the present state into what is elastic and what is not, and counts what
-/// friction creates.
+/// Divides the slip of the present state into an elastic and a lost part, and adds the energy that
+/// friction created in the step.
 void SlidingContact::divide_slip() {
   created_energy_ += friction_energy(problem_, state_).created;
   if (problem_.friction.elastic_slip == 0) {
@@ -149,13 +151,13 @@ bool SlidingContact::reaches(const SliderLoad& load) const {
   }
   const double least =
       load.kind == LoadKind::force ? 0 : problem_.least_free_gap() - adhesion.range;
-  return !(load.value <= least); // what is not a number is left to the solver to refuse
+  return !(load.value <= least); // NaN is left to the solver to refuse
 }
 
 SurfaceState SlidingContact::solve_adhesive(const ContactProblem& problem, const SliderStep& step) {
   Iterate iterate{state_.force, state_.indentation};
   if (in_contact() && newton_.solve(problem, step, iterate)) {
-    // Newton may end far away, where a slow motion would not come to.
+    // Newton's method may end at a solution that a slow motion would not reach.
     if (change_of_load(state_.force, iterate.force) <= most_changed) {
       return surface_state(problem, step, std::move(iterate.force), iterate.indentation,
                            newton_.iterations());
@@ -240,8 +242,8 @@ const SurfaceState& SlidingContact::move(double time_step, const SliderGuide& gu
       const ContactProblem yielding = yielding_problem(problem_, guide.compliance);
       SurfaceState found = solve(yielding, step);
       for (std::size_t c = 0; c < 2; ++c) {
-        // The place is as it was found: cells that stick must not slip by what others were settled
-        // by.
+        // Position under the forces before they were settled: sticking cells must not slip because
+        // slipping cells were settled on their limits.
         place[c] -=
             guide.compliance[c] * (total_force(found.force, c + 1) - newton_.settled_by()[c]);
         step.travel[c] = place[c] - from[c];

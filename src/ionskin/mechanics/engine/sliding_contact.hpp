@@ -14,54 +14,61 @@
 
 namespace ionskin::mechanics {
 
-/// Guide of a slider that yields to the tangential force of the skin.
+/// Motion of a slider in a step in which it may yield to the tangential force of the skin, as on a
+/// drive.
 struct SliderGuide {
-  std::array<double, 2> place{};      ///< of its centre without that force [m]
-  std::array<double, 2> expected{};   ///< about where it will be [m]
-  std::array<double, 2> compliance{}; ///< yield by the sum of the cells' forces [m/N]
+  std::array<double, 2> place{};      ///< of its centre at the end, without that force [m]
+  std::array<double, 2> expected{};   ///< estimate of its centre at the end, with that force [m]
+  std::array<double, 2> compliance{}; ///< along x and y, to the sum of the cells' forces [m/N]
 };
 
-/// Sets the compliance of a problem to that between skin and slider at a place of the slider.
+/// Sets the compliance of a problem to that between skin and slider.
+/// @param place centre of the slider [m]
 using ComplianceAt =
     std::function<void(const std::array<double, 2>& place, ContactProblem& problem)>;
 
-/// Displacement of the cells by other sliders, with the slider at a place at a time since the begin
-/// of the cycle [m].
+/// Displacement of the cells by other sliders, [3 cells] [m].
+/// @param time since the begin of the cycle [s]
+/// @param place centre of the slider whose cells are displaced [m]
 using MovedByOthers = std::function<CellVector(double time, const std::array<double, 2>& place)>;
 
-/// A slider on the skin, moved step by step to any place, height or force. Each step is the exact
-/// incremental problem of contact and friction on the compliance at its end; it starts from the
-/// forces of the step before and keeps their factorisation.
+/// Contact of a slider with the skin, moved step by step to any position, height or force. Each
+/// step solves the incremental problem of contact and friction exactly, with the compliance at the
+/// end of the step. It starts from the forces of the step before and reuses the factorised
+/// Jacobian.
 class SlidingContact {
 public:
-  /// @param area,gap of the cells, as in ContactProblem; the gap in the first pose
-  /// @param turning underside of a slider whose angles change; null for one that keeps the gap
+  /// @param area,gap of the cells, as in `ContactProblem`, in the first pose [m2], [m]
+  /// @param turning underside of a slider whose angles change; null where they do not
   SlidingContact(ComplianceAt compliance, std::vector<double> area, std::vector<double> gap,
                  const laws::Friction& friction,
                  std::shared_ptr<const TurningUnderside> turning = nullptr);
 
-  /// Other sliders move the skin from now on. They need a rigid path and no adhesion.
+  /// Lets other sliders displace the skin in all later steps. Works only on a prescribed path and
+  /// without adhesion.
   void let_others_move(MovedByOthers others) { others_ = std::move(others); }
   /// Sets the time at which the next step ends, since the begin of the cycle [s].
   void set_end_of_step(double time) { end_of_step_ = time; }
 
-  /// Moves the slider. A load that does not reach the skin leaves it unloaded.
+  /// Moves the slider. A load that does not reach the skin leaves the slider off the skin.
   /// @param time_step [s]
-  /// @param place of the slider's centre at the end [m]
-  /// @param load at the end, on the meshed part; an indentation below 0 is a height
-  /// @param pose at the end, of a slider whose angles change
-  /// Throws SolverError when the contact has no solution; then nothing has moved.
+  /// @param place centre of the slider at the end of the step [m]
+  /// @param load at the end of the step, on the meshed part; an indentation below 0 is a height
+  /// @param pose at the end of the step; used only where the slider's angles change
+  /// Throws SolverError when the contact has no solution; then the contact is unchanged.
   const SurfaceState& step(double time_step, const std::array<double, 2>& place,
                            const SliderLoad& load, const shapes::Pose& pose = {});
 
-  /// Moves a slider that yields along the skin; `place()` is then its place. Throws SolverError
-  /// when the contact has no solution; then nothing has moved. The
-  /// compliance of the skin is that of the place where it was expected, and friction that lags
-  /// follows the speed of slip, continued from the step before, to the end of the step.
+  /// Moves a slider that yields along the skin; `place()` then tells where it is. The compliance of
+  /// the skin is that at the expected position. Friction with a lag follows the speed of slip to
+  /// the end of the step, continued from the step before.
+  /// @param time_step [s]
+  /// @param load at the end of the step, on the meshed part
+  /// Throws SolverError when the contact has no solution; then the contact is unchanged.
   const SurfaceState& step_yielding(double time_step, const SliderGuide& guide,
                                     const SliderLoad& load);
 
-  /// State that a step changes, but for the compliance.
+  /// Snapshot of what a step changes, except for the compliance and the pose.
   struct Moment {
     SurfaceState state;
     std::vector<laws::ElasticSlip> elastic_slip;
@@ -69,42 +76,49 @@ public:
     std::optional<std::array<double, 2>> place;
     double created_energy = 0;
   };
+  /// Takes a snapshot.
   Moment moment() const {
     return {state_, elastic_slip_, remembered_speed_, place_, created_energy_};
   }
+  /// Restores a snapshot.
   void go_back(Moment moment);
 
-  const std::array<double, 2>& place() const { return *place_; } ///< after a step [m]
+  /// Centre of the slider [m]; only after a step.
+  const std::array<double, 2>& place() const { return *place_; }
   const SurfaceState& state() const { return state_; }
-  /// Underside at each cell, as ContactSolution keeps it; null where the angles never change.
+  /// Displacement of the underside at each cell, as `SteppedInstant::turned`; null where the angles
+  /// never change.
   std::shared_ptr<const std::vector<std::array<double, 3>>> turned() const;
-  /// Problem at the present place.
+  /// Contact problem at the present position.
   const ContactProblem& problem() const { return problem_; }
-  bool in_contact() const; ///< pressed or pulled
-  /// Opening up to which adhesion pulls; 0 without [m].
+  bool in_contact() const; ///< true if any cell is pressed or pulled
+  /// Opening up to which adhesion pulls [m]; 0 without adhesion.
   double range() const { return problem_.friction.adhesion.range; }
-  /// True if the last step of a contact with adhesion may have jumped: it was not found near the
-  /// state before.
+  /// True if the contact may have jumped in the last step, because adhesion led to a solution that
+  /// Newton's method did not find near the state before.
   bool may_have_jumped() const { return may_have_jumped_; }
-  /// Elastic less binding energy; 0 off the skin [J].
+  /// Elastic energy less binding energy, on the meshed part [J]; 0 off the skin.
   double energy() const;
-  /// Energy that friction created so far, in cells and steps of negative dissipation; 0 but for
-  /// rounding under a law that only takes energy [J].
+  /// Energy that friction has created so far, in cells and steps of negative dissipation, on the
+  /// meshed part [J]. It is 0, apart from rounding, under a law that only dissipates.
   double created_energy() const { return created_energy_; }
-  /// True if a cell that touches does not slip.
+  /// True if any touching cell sticks.
   bool sticks() const;
-  /// Length of the mean tangential displacement that the surface has to make before all of it
-  /// slips along a direction under the present normal forces, and all of that displacement [m].
+  /// Mean tangential displacement of the surface at which the whole contact slips in a given
+  /// direction under the present normal forces [m]: the part still to come, `left`, and the whole
+  /// of it.
   struct OnsetDistance {
     double left = 0, whole = 0;
   };
   /// Distance to full slip from the present state.
-  /// @param slip,time_step of the way to come, which friction may depend on [m], [s]
+  /// @param direction of the slider's travel, a unit vector
+  /// @param half_model true if the mesh covers half of the skin
+  /// @param slip,time_step of the travel to come, on which friction may depend [m], [s]
   OnsetDistance onset_distance(const std::array<double, 2>& direction, bool half_model, double slip,
                                double time_step) const;
 
   int factorisations() const { return newton_.factorisations(); }
-  int fallbacks() const { return fallbacks_; } ///< steps not solved from the state before
+  int fallbacks() const { return fallbacks_; } ///< number of steps not solved from the state before
 
 private:
   const SurfaceState& move(double time_step, const SliderGuide& guide, const SliderLoad& load,
@@ -121,11 +135,13 @@ private:
   ContactProblem problem_;
   ContactNewton newton_;
   SurfaceState state_;
-  std::vector<laws::ElasticSlip> elastic_slip_; ///< of the cells; empty without
-  std::vector<double> remembered_speed_;        ///< by friction, before the present state [m/s]
+  std::vector<laws::ElasticSlip> elastic_slip_; ///< of each cell; empty without elastic slip
+  /// Lagged speed of slip of each cell, before the present state [m/s].
+  std::vector<double> remembered_speed_;
   std::optional<std::array<double, 2>> place_;
-  std::optional<std::array<double, 2>> condensed_at_; ///< of the compliance
-  double created_energy_ = 0;                         ///< [J]
+  /// Position of the slider for which `problem_` has the compliance [m].
+  std::optional<std::array<double, 2>> condensed_at_;
+  double created_energy_ = 0; ///< [J]
   std::shared_ptr<const TurningUnderside> turning_;
   std::optional<shapes::Pose> pose_; ///< of a slider whose angles change, after a step
   int fallbacks_ = 0;

@@ -14,17 +14,20 @@
 
 namespace ionskin::mechanics {
 
-/// The strains of a stepped path, each from the forces of its own state; some that follow each
-/// other are recovered at once.
+/// Strains of the states of a path, each recovered from the forces of its own state. Some states
+/// that follow each other are recovered at once.
 class SteppedStrains : public StrainSource {
 public:
-  /// @param spare null, or where the threads come from that help the calling one
+  /// @param spare source of further threads that help the calling one; null: none, `threads`
+  ///   threads work
   SteppedStrains(std::shared_ptr<const StrainRecovery> recovery, int threads,
                  std::shared_ptr<parallel::SpareThreads> spare = nullptr)
       : recovery_(std::move(recovery)), threads_(threads), spare_(std::move(spare)) {}
 
-  /// Adds the state of a slider's centre [m] and forces on the cells [3 cells] [N].
-  /// @returns the place of the state
+  /// Adds a state.
+  /// @param centre of the slider [m]
+  /// @param force on the cells, [3 cells] [N]
+  /// @returns index of the state
   std::size_t add(const std::array<double, 2>& centre, CellVector force);
   std::size_t count() const { return centres_.size(); }
 
@@ -41,7 +44,7 @@ private:
   std::shared_ptr<parallel::SpareThreads> spare_;
   std::vector<std::array<double, 2>> centres_;
   std::vector<CellVector> forces_;
-  std::size_t first_ = 0; ///< of the states that are held
+  std::size_t first_ = 0; ///< index of the first state in `held_`
   std::vector<CoreStrain> held_;
   std::vector<double> stress_;
   double residual_ = 0;

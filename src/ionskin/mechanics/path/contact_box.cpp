@@ -12,7 +12,8 @@
 namespace ionskin::mechanics {
 namespace {
 
-/// A slider on a drive that halts swings on by its speed over the natural angular frequency.
+/// Widens a box by the swing of a slider on a drive that halts: its speed over the natural angular
+/// frequency.
 void add_swing(const Case& input, MotionBox& box) {
   constexpr double most = 0.5; // of the room beside it
   const double seconds = input.motion.drive.natural_period() / (2 * std::numbers::pi);

@@ -8,8 +8,8 @@
 
 namespace ionskin::mechanics {
 
-/// The smallest rectangle that holds the slider's centre while it touches [m]; empty when it never
-/// touches. That of a slider on a drive may turn out to be wider.
+/// Smallest rectangle that holds the slider's centre while the slider touches the skin [m]; empty
+/// if it never touches. For a slider on a drive it is an estimate, and may turn out to be wider.
 std::optional<MotionBox> contact_box(const Case& input);
 
 } // namespace ionskin::mechanics

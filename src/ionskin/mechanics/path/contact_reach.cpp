@@ -16,7 +16,7 @@
 namespace ionskin::mechanics {
 namespace {
 
-/// Loads that press hardest, of the meshed part.
+/// Heaviest loads of a case on the meshed part.
 std::vector<SliderLoad> heaviest_loads(const Case& input, bool half_model) {
   const mesh::HeaviestLoad heaviest = mesh::heaviest_load(input);
   std::vector<SliderLoad> loads;
@@ -29,7 +29,8 @@ std::vector<SliderLoad> heaviest_loads(const Case& input, bool half_model) {
   return loads;
 }
 
-/// Directions of the slides; of a path with many, some that stand for all.
+/// Directions of the slides, as unit vectors. For a path with many directions, four directions
+/// stand for all.
 std::vector<std::array<double, 2>> slide_directions(const Case& input) {
   constexpr std::size_t most = 8;
   std::set<std::array<double, 2>> directions;
@@ -73,8 +74,8 @@ void ContactReach::include(const ContactReach& other) {
 
 namespace {
 
-/// Poses in contact: of a slider whose angles change some on the way, of many those that are
-/// spread over all.
+/// Poses of the slider while it may touch, sampled along turns. Of many poses, some that are spread
+/// over all of them.
 std::vector<shapes::Pose> poses_in_contact(const Case& input) {
   constexpr std::size_t most = 24;
   constexpr double each_turn = 0.2; // [rad]
@@ -103,7 +104,8 @@ std::vector<shapes::Pose> poses_in_contact(const Case& input) {
   return poses;
 }
 
-/// In one pose, with its gap of the cells.
+/// Reach of the contact under the heaviest loads in one pose.
+/// @param gap mean height of the underside over each cell in that pose [m]
 ContactReach reach_in_pose(const Case& input, const SkinModel& model,
                            const std::vector<double>& gap, const std::array<double, 2>& centre,
                            double friction) {
@@ -121,7 +123,7 @@ ContactReach reach_in_pose(const Case& input, const SkinModel& model,
   for (const SliderLoad& load : heaviest_loads(input, model.mesh.half_model())) {
     include(solve_contact_step(problem, {load, {0, 0}, 0, none}, none));
     if (problem.friction.adhesion.pulls()) {
-      continue; // what slides beyond the border is found on the path, and gets a wider one
+      continue; // sliding beyond the border shows on the path, which gets a wider footprint
     }
     for (const auto& way : slide_directions(input)) {
       for (const double sign : {1.0, -1.0}) {

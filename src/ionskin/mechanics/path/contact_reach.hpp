@@ -10,22 +10,26 @@
 
 namespace ionskin::mechanics {
 
-/// Distance from the slider's centre at which any cell carries a normal load, along x and y, and
-/// whether cells at the border do.
+/// Reach of a contact: how far from the slider's centre cells carry a load.
 struct ContactReach {
-  std::array<double, 2> extent{}; ///< [m]
+  /// Farthest edge of a loaded cell from the slider's centre, along x and y [m].
+  std::array<double, 2> extent{};
+  /// True, along x and along y, if a cell at the border of the footprint is loaded.
   std::array<bool, 2> border{};
 
   /// Widens the reach by the cells that carry a load.
-  /// @param lines edges of the cells along x and y, from the slider's centre [m]
-  /// @param load of each cell, x fastest, of any unit; every `stride`th value
+  /// @param lines cell edges along x and y, from the slider's centre [m]
+  /// @param load of each cell, x fastest, in any unit; only every `stride`th value is read
   void include(const std::array<std::span<const double>, 2>& lines, std::span<const double> load,
                std::size_t stride);
+  /// Widens the reach to hold another one as well.
   void include(const ContactReach& other);
 };
 
-/// Reach of the loads that press hardest, with the slider at a place: touchdown without history,
-/// and steady sliding to and fro along the directions of the path.
+/// Reach of the contact under the heaviest loads of a case, with the slider at a given position: of
+/// a touchdown without history, and of steady sliding to and fro along the directions of the path.
+/// @param centre of the slider [m]
+/// @param friction coefficient [1]
 ContactReach hardest_reach(const Case& input, const SkinModel& model,
                            const std::array<double, 2>& centre, double friction);
 

@@ -14,10 +14,11 @@
 namespace ionskin::mechanics {
 namespace {
 
-/// Number of steps of a slider on a drive that pulls it under a force. Steady sliding is unstable
-/// where friction falls with the speed by more than damping and, within its lag, the spring take up
-/// (Ruina 1983, doi 10.1029/JB088iB12p10359, without a mass); then the slider sticks and slips,
-/// each time that the spring has gone twice what the fall of the friction draws it out.
+/// Expected number of steps of stick-slip, for a slider on a drive under a force. Steady sliding is
+/// unstable where the friction force falls with speed more steeply than damping and, within the lag
+/// of friction, the spring compensate (Ruina 1983, doi 10.1029/JB088iB12p10359, without a mass).
+/// The slider then sticks and slips once for each travel of the drive by twice the fall of friction
+/// over the spring's stiffness.
 double steps_of_stick_slip(const Case& input, const MotionLeg& leg) {
   constexpr double steps_each = 115; // measured
   constexpr double change = 0.01;    // of the speed
@@ -43,7 +44,7 @@ double steps_of_stick_slip(const Case& input, const MotionLeg& leg) {
              : 0;
 }
 
-/// Steps of a slider that turns and tilts along a leg.
+/// Expected number of steps of a slider that turns or tilts along a leg.
 double steps_of_turn(const Case& input, const MotionLeg& leg, const PathSteps& each,
                      double indentation) {
   if (!leg.turns()) {
@@ -57,7 +58,7 @@ double steps_of_turn(const Case& input, const MotionLeg& leg, const PathSteps& e
                             each.touchdown * (indentation > 0 ? rise / indentation : 1.0)));
 }
 
-/// Mean over equal parts of the way from one place to another.
+/// Mean of the cost over positions from one x to another [m].
 double mean_cost(const std::function<double(double x)>& cost, double from, double to) {
   constexpr int parts = 8;
   double sum = 0;
@@ -70,7 +71,7 @@ double mean_cost(const std::function<double(double x)>& cost, double from, doubl
 } // namespace
 
 ExpectedSteps expected_steps(const Case& input, const std::function<double(double x)>& cost) {
-  // Measured: of steps, and of rows that follow each other so closely that each is one step.
+  // Measured, for steps, and for rows of a path so close to each other that each is one step.
   constexpr double kept_share = 0.5, kept_share_of_rows = 0.22;
   const PathSteps each;
   const mesh::HeaviestLoad heaviest = mesh::heaviest_load(input);
@@ -104,7 +105,7 @@ ExpectedSteps expected_steps(const Case& input, const std::function<double(doubl
       across += way[1] != 0 ? each.onset : 0;
     }
     direction = way;
-    // One step changes place and level alike.
+    // One step changes position and level at the same time.
     const double of_leg =
         std::max(of_level, std::ceil(leg.length() / travel_each)) + steps_of_stick_slip(input, leg);
     (of_leg <= 1 ? rows : steps) += of_leg;

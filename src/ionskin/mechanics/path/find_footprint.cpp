@@ -21,7 +21,8 @@ namespace {
 
 constexpr int most_passes = 12;
 constexpr double growth = 1.4;
-/// Number of growths after which the guess was far too small: adhesion pulls over a wide gap.
+/// Number of growths after which the first guess counts as far too small, as where adhesion pulls
+/// over a wide gap.
 constexpr int many_growths = 4;
 constexpr double fast_growth = 2.5;
 constexpr double least_fill = 0.6;   ///< of the rim by the contact, before it is accepted
@@ -30,7 +31,7 @@ constexpr double margin = 1.1;       ///< of the rim that is accepted
 constexpr double grid_ratio = 1.05;
 constexpr double share_of_pass = 0.5; ///< of the progress that is left; how many follow is unknown
 
-/// Reach over two corners of the track.
+/// Reach of the contact with the slider at two opposite corners of its track.
 ContactReach reach_of(const Case& input, const mesh::Footprint& footprint, double friction,
                       int threads, parallel::SharedProgress& progress) {
   const MotionBox box = motion_box(input.motion, input.slider);
@@ -51,7 +52,7 @@ ContactReach reach_of(const Case& input, const mesh::Footprint& footprint, doubl
   return reach;
 }
 
-/// Next larger value of a geometric grid.
+/// Rounds a length up to the next value of a geometric grid.
 double rounded_up(double value) {
   return std::pow(grid_ratio, std::ceil(std::log(value) / std::log(grid_ratio)));
 }
@@ -69,7 +70,7 @@ void set_rim(mesh::Footprint& footprint, std::size_t direction, double rim,
                               "move slider.start, shorten motion.stroke or lower motion.preload"));
 }
 
-/// The case of the coarse solutions.
+/// The case on the coarse mesh on which the footprint is searched for.
 Case footprint_case(const Case& input) {
   Case coarse = input;
   coarse.numerics.preset = Preset::coarse;
@@ -77,7 +78,7 @@ Case footprint_case(const Case& input) {
   return coarse;
 }
 
-/// Footprint of a slider that is not sharp.
+/// Finds the footprint of a slider without sharp edges, for one friction coefficient.
 mesh::Footprint footprint_at(const Case& input, double friction, int threads,
                              const base::ProgressCallback& callback) {
   mesh::Footprint footprint = mesh::largest_footprint(input);
@@ -85,7 +86,7 @@ mesh::Footprint footprint_at(const Case& input, double friction, int threads,
   const Case coarse = footprint_case(input);
   parallel::SharedProgress progress("contact footprint", callback);
   std::array<int, 2> growths{};
-  std::array<double, 2> too_narrow{}; // the contact reached them: with few cells, rims could cycle
+  std::array<double, 2> too_narrow{}; // reached by the contact; with few cells, rims could cycle
   for (int pass = 0; pass < most_passes; ++pass) {
     const ContactReach reach = reach_of(coarse, footprint, friction, threads, progress);
     bool settled = true;

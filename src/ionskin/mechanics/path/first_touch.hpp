@@ -5,11 +5,11 @@
 
 namespace ionskin::mechanics {
 
-/// A cell of the contact touches once the slider indents more than the mean height of the underside
-/// over it. Refuses a slider that touches none even where it indents most: the mesh cannot see such
-/// a contact, as that of a lowest point far from the centre under a small indentation. Its cells
-/// are those that the search for the contact begins with. Throws UserError with the indentation
-/// that is needed.
+/// Checks that the slider touches at least one contact cell where it indents most. A cell touches
+/// when the indentation exceeds the mean height of the underside over it, so that the mesh misses a
+/// contact at a lowest point far from the centre under a small indentation. Cells are those of the
+/// largest footprint, with which the search for the footprint begins.
+/// Throws UserError, with the indentation that is needed, when no cell is touched.
 void require_touch(const Case& input);
 
 } // namespace ionskin::mechanics

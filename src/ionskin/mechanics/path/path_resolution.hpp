@@ -5,16 +5,17 @@
 
 namespace ionskin::mechanics {
 
-/// Part of a usual slide, two fifths of the skin, between instants that are kept at least; the
-/// error of straight lines between them falls with its square.
+/// Longest interval between stored instants of a path, as a share of a typical slide over two
+/// fifths of the skin's length [1]. The error of linear interpolation between instants falls with
+/// its square.
 double path_resolution(const Numerics& numerics);
 
-/// Longest way between instants of a path that are kept [m].
+/// Longest travel of the slider between two stored instants of a path [m].
 double longest_kept_travel(const Case& input);
 
-/// Longest way that the contact is stepped over at once [m].
-/// Longest turn of a slider about z in a step [rad].
+/// Longest turn of a slider about z in one contact step [rad].
 double longest_step_turn(const Numerics& numerics);
+/// Longest travel of the slider in one contact step [m].
 double longest_step_travel(const Case& input);
 
 } // namespace ionskin::mechanics

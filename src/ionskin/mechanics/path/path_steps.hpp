@@ -5,19 +5,21 @@
 
 namespace ionskin::mechanics {
 
-/// A turn by more than this is a new onset of slip [rad].
+/// Change of the direction of travel above which a new onset of sliding begins [rad].
 inline constexpr double sharp_turn = 0.1;
 
-/// Resolution of the steps of the path.
+/// Numbers of contact steps into which the parts of a path are divided.
 struct PathSteps {
-  int touchdown = 20; ///< of a slider that is not flat; one increment is exact for a flat one
-  int lift_off = 20;  ///< steps of lift-off and of any other change of load in place
-  int onset = 45;
-  double onset_growth = 1.06; ///< of successive travel increments
-  /// Travel of the onset over the mean tangential displacement that the surface still has to make.
+  /// Steps of a touchdown to the heaviest load. A flat slider takes a single step, which is exact.
+  int touchdown = 20;
+  int lift_off = 20;          ///< steps of a lift-off, and of other decreases of the load
+  int onset = 45;             ///< steps of an onset of sliding, from stick to full slip
+  double onset_growth = 1.06; ///< ratio of successive travel increments in an onset [1]
+  /// Travel of all steps of an onset, over the mean tangential displacement that the surface still
+  /// has to make until full slip [1].
   double onset_travel_ratio = 4;
-  /// Contacts solved for a slider on a drive until its motion is given up; 0 for many times what is
-  /// expected.
+  /// Largest number of contact solutions for a slider on a drive before its motion is given up; 0:
+  /// many times the expected number.
   std::size_t most_driven = 0;
 };
 

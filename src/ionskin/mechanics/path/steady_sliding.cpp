@@ -12,7 +12,8 @@
 namespace ionskin::mechanics {
 namespace {
 
-/// Requires a number for the friction at the pressure that a load roughly makes.
+/// Checks that the friction law gives a finite limit and slope at roughly the pressure of a load.
+/// Throws SolverError if not.
 void require_number(const ContactProblem& problem, const SliderLoad& load) {
   const double area = std::accumulate(problem.area.begin(), problem.area.end(), 0.0);
   const double pressure =

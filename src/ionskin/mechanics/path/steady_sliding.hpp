@@ -5,10 +5,11 @@
 
 namespace ionskin::mechanics {
 
-/// The limit of long sliding under a constant load: every touching cell slips along `direction`,
-/// so its tangential force is the friction limit against that direction.
-/// @param travel of the slider, which becomes the slip [m]
-/// Throws SolverError when no contact is found, and when the friction law gives no finite number
+/// Solves the limit of long sliding under a constant load: every touching cell slips along
+/// `direction`, and its tangential force is the friction limit in that direction.
+/// @param direction of the slider's travel, a unit vector
+/// @param travel of the slider, reported as the slip of each cell [m]
+/// Throws SolverError when no contact is found, or when the friction law gives no finite number
 /// there.
 SurfaceState steady_sliding(const ContactProblem& problem, const SliderLoad& load,
                             const std::array<double, 2>& direction, double travel);

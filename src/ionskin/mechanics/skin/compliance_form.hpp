@@ -6,9 +6,9 @@
 
 namespace ionskin::mechanics {
 
-/// The one choice between the matrix of the compliance and products without it: products where the
-/// matrix would be large. They ask for even cells; and whether an adhesive contact can last is seen
-/// by the factors of a matrix alone.
+/// True if the compliance of the cells is evaluated as products instead of a matrix. Products serve
+/// where the matrix would be large. They need equally large cells and a contact without adhesion,
+/// whose stability only a factorised matrix shows.
 bool takes_products(const Case& input, const ContactCells& cells);
 
 } // namespace ionskin::mechanics

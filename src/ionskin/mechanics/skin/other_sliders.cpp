@@ -10,7 +10,8 @@
 namespace ionskin::mechanics {
 namespace {
 
-/// The x-fastest values of one component of cells, [column, row].
+/// One component of the values on the cells, as a matrix [column, row].
+/// @param values [3 cells]
 Eigen::MatrixXd component_of(const CellVector& values, std::size_t component,
                              const finite_layers::ContactGrid& cells) {
   Eigen::MatrixXd result(cells.columns(), cells.rows());

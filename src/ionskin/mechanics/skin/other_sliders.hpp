@@ -10,8 +10,11 @@
 
 namespace ionskin::mechanics {
 
-/// Displacement of the cells of a slider at a place by the forces of others at a time [m]. Throws
-/// SolverError where another presses nearer than short waves reach.
+/// Displacement of the cells of a slider by the forces of other sliders, [3 cells] [m].
+/// @param others force paths of the other sliders
+/// @param time since the begin of the cycle [s]
+/// @param place centre of the slider whose cells are displaced [m]
+/// Throws SolverError where another slider presses nearer than short waves in the skin reach.
 CellVector moved_by_others(const SkinModel& model, const std::vector<ForcePath>& others,
                            double time, const std::array<double, 2>& place);
 

@@ -18,24 +18,31 @@
 
 namespace ionskin::mechanics {
 
-/// Everything of a case that does not depend on the slider's place: the elastic skin, the slider
-/// with its underside, and the lines that follow it. Shared by all threads.
+/// Everything of a case that does not depend on the position of the slider: the elastic skin, the
+/// underside and compliance of the slider, the mesh and the contact cells that move with the
+/// slider. Shared by all threads.
 struct SkinModel {
   mesh::SkinMesh mesh;
   ContactCells cells;
-  std::vector<double> gap;            ///< of the slider's underside over the cells [m]
-  finite_layers::ComplianceForm form; ///< of the compliance of the cells
-  /// Compliance of a soft slider against forces on the cells, [3 cells, 3 cells]; empty of a rigid
-  /// one, and where products stand for matrices [m/N].
+  /// Mean height of the slider's underside over each cell, above its lowest point [m].
+  std::vector<double> gap;
+  finite_layers::ComplianceForm form; ///< matrix or products
+  /// Compliance of a soft slider under forces on the cells, [3 cells, 3 cells], symmetric [m/N].
+  /// Empty for a rigid slider, and where products replace matrices.
   Eigen::MatrixXd slider_compliance;
   finite_layers::LayeredSkin layers;
-  /// Short waves of skin and slider, where products stand for matrices.
+  /// Short waves of skin and slider, where products replace matrices; null elsewhere.
   std::shared_ptr<const finite_layers::CellConvolution> short_waves;
+  /// Inverse compliance wave by wave, the preconditioner, where products replace matrices; null
+  /// elsewhere.
   std::shared_ptr<const finite_layers::InverseWaves> inverse;
-  MotionBox places;  ///< places at which the slider's centre is expected [m]
-  bool stays_across; ///< true if its place across the skin is the same throughout
+  MotionBox places;  ///< box in which the slider's centre is expected [m]
+  bool stays_across; ///< true if the slider's y is the same throughout
 
-  /// @param footprint in which the slider may touch
+  /// Builds the model.
+  /// @param footprint rectangle in which the slider may touch
+  /// @param places_of_centre box in which the slider's centre is expected [m]; the resolution of
+  ///   the faces depends on how near it comes to them
   SkinModel(const Case& input, const mesh::Footprint& footprint, const MotionBox& places_of_centre,
             mesh::MeshedPart part = mesh::MeshedPart::half_if_symmetric, int threads = 1,
             finite_layers::SkinPurpose purpose = finite_layers::SkinPurpose::results);
@@ -46,18 +53,20 @@ private:
   void prepare_products(const Slider& slider);
 };
 
-/// Compliance between skin and slider with the slider at one place after another,
-/// docs/model.md (8), (36). What places with the same y share is kept from one to the next.
+/// Evaluates the compliance between skin and slider, docs/model.md (8), (36), at successive
+/// positions of the slider. Caches what positions with the same y share.
 class ContactCompliance {
 public:
-  /// @param model outlives this
+  /// @param model must outlive this object
   explicit ContactCompliance(const SkinModel& model) : model_(&model) {}
 
-  /// Compliance with the slider at a place, as a matrix.
-  /// @param place of the slider's centre [m]
-  /// @param result resized, [3 cells, 3 cells], symmetric [m/N]
+  /// Evaluates the compliance as a matrix.
+  /// @param place centre of the slider [m]
+  /// @param result receives the matrix, [3 cells, 3 cells], symmetric [m/N]; resized
   void at(const std::array<double, 2>& place, Eigen::MatrixXd& result);
-  /// Puts the compliance at a place into a contact problem, in the form that the model has.
+  /// Evaluates the compliance and puts it into a contact problem, as a matrix or as products,
+  /// whichever the model has.
+  /// @param place centre of the slider [m]
   void at(const std::array<double, 2>& place, ContactProblem& problem);
 
 private:

@@ -10,27 +10,31 @@
 
 namespace ionskin::mechanics {
 
-/// Distance of a footprint from the ends and from the sides of the skin, at least 0 [m].
-/// @param places where its centre may be [m]
+/// Distance of the footprint from the ends and from the sides of the skin, where it comes nearest
+/// to them; at least 0 [m].
+/// @param places box in which the slider's centre may be [m]
 std::array<double, 2> clearance(const Skin& skin, const mesh::Footprint& footprint,
                                 const MotionBox& places);
 
-/// Reach of the skin's short waves then, see finite_layers::skin_resolution: the nearer a face, the
-/// more modes it takes [m].
+/// Distance that short waves in the skin reach when the slider stays within a box, see
+/// `finite_layers::skin_resolution` [m]. The nearer the slider comes to a face of the skin, the
+/// shorter is the reach, and the more modes the skin takes.
+/// @param places box in which the slider's centre may be [m]
 double short_wave_reach(const Skin& skin, const mesh::Footprint& footprint,
                         const MotionBox& places);
 
-/// Multiplications in a step of the contact with the slider's centre at x [m], for the waves along
-/// the ends: at every place along the skin they are solved for the cells anew, the more of them the
-/// nearer an end (finite_layers::FreeEnds::Rows::add).
-/// @param forces on the cells, three each
-/// @param half whether they are those of one half of a symmetric contact
+/// Estimates the number of multiplications that the waves along the ends take in one contact step,
+/// as a function of the slider's x [m]. They are solved anew at every position along the skin, and
+/// take the more modes the nearer an end is (`finite_layers::FreeEnds::Rows::add`).
+/// @param places box in which the slider's centre may be [m]
+/// @param forces number of force components on the cells, three for each
+/// @param half true if the cells are one half of a symmetric contact
 std::function<double(double x)> end_products(const Skin& skin, const mesh::Footprint& footprint,
                                              const MotionBox& places, double forces, bool half);
 
-/// Distance to the edges up to which a swing of a slider on a drive is expected, which need not
-/// come: nearer, the modes of the skin would take more than some 1 GB. A run tells where it came
-/// nearer [m].
+/// Distance from the edges of the skin up to which the skin is resolved for the swings of a slider
+/// on a drive [m]. Such swings need not come, and nearer to an edge the modes of the skin would
+/// take more than about 1 GB. A run warns where the slider came nearer.
 double clearance_of_swings(const Skin& skin);
 
 } // namespace ionskin::mechanics

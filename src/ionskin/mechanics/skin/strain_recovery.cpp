@@ -13,7 +13,7 @@
 namespace ionskin::mechanics {
 namespace {
 
-/// Points of Gauss' rule with two points in each element between lines, ascending.
+/// Points of the two-point Gauss rule in each interval between lines, ascending.
 std::vector<double> gauss_points(const std::vector<double>& lines) {
   std::vector<double> points;
   for (std::size_t i = 0; i + 1 < lines.size(); ++i) {
@@ -24,9 +24,10 @@ std::vector<double> gauss_points(const std::vector<double>& lines) {
   return points;
 }
 
-/// Both halves of each column between lines, ascending. Means over them, not values at points, keep
-/// what strains add up to over the plane, though they are singular below sharp edges: charges on
-/// water follow from differences of a hundredth of the strain.
+/// Both halves of each column between lines, ascending. Strains are averaged over them, not sampled
+/// at points, because means keep the integral over the plane although strains are singular below
+/// sharp edges: charges under laws that move water follow from differences of a hundredth of the
+/// strain.
 std::vector<finite_layers::Interval> halves(const std::vector<double>& lines) {
   std::vector<finite_layers::Interval> result;
   for (std::size_t i = 0; i + 1 < lines.size(); ++i) {
@@ -36,7 +37,7 @@ std::vector<finite_layers::Interval> halves(const std::vector<double>& lines) {
   return result;
 }
 
-/// Heights of the points above the bottom of the core.
+/// Heights of the strain points above the bottom of the core, ascending [m].
 std::vector<double> heights(const mesh::SkinMesh& mesh) {
   const std::vector<double> z = mesh.lines_z();
   const auto [bottom, top] = mesh.core_z();
@@ -53,9 +54,10 @@ double mean_column(const mesh::SkinMesh& mesh) {
                   (y.back() - y.front()) / static_cast<double>(y.size() - 1));
 }
 
-/// Places across the skin that all states have alike.
+/// Columns across the skin, where they are the same in all states; empty where they are not, or
+/// would take too much memory.
 std::optional<finite_layers::PlacesAcross> places_across(const SkinModel& model) {
-  // Sums over rows of cells grow with rows and points alike: they would fill the memory.
+  // Stored sums over rows of cells would fill the memory: they grow with rows times points.
   if (!model.stays_across || model.form == finite_layers::ComplianceForm::products) {
     return std::nullopt;
   }
@@ -66,7 +68,8 @@ std::optional<finite_layers::PlacesAcross> places_across(const SkinModel& model)
                                      lines};
 }
 
-/// Von Mises stress of a strain with the components of CoreStrain [Pa].
+/// Von Mises stress of a strain [Pa].
+/// @param strain tensor components in the order of `CoreStrain` [1]
 double von_mises_stress(const finite_layers::ElasticLayer& layer,
                         const std::array<double, 6>& strain) {
   const double mean = (strain[0] + strain[1] + strain[2]) / 3;
@@ -100,8 +103,12 @@ std::vector<double> largest_stresses(const SkinModel& model,
   return result;
 }
 
-/// @param half whether each cell stands for its mirror image too
-/// @param held_across whether the sides carry forces along y, which then differ from level to level
+/// Largest difference between the sums of the forces through any level and of the forces on the
+/// cells, relative to the latter [1].
+/// @param half true if each cell also stands for its mirror image
+/// @param held_across true if the sides of the skin carry forces along y, which then differ from
+///   level to level and are not compared
+/// @param through_levels force through each level: normal (downwards), x, y [N]
 double equilibrium_residual(const CellVector& forces, bool half, bool held_across,
                             const std::vector<std::array<double, 3>>& through_levels) {
   std::array<double, 3> sum{};

@@ -14,39 +14,40 @@
 
 namespace ionskin::mechanics {
 
-/// Strain of the skin under the forces of a state.
+/// Strain of the skin under the forces of one state, made by `StrainRecovery`.
 struct RecoveredStrain {
-  CoreStrain core; ///< of the components that were chosen
-  /// Largest von Mises stress of each electrode layer as a membrane, averaged through its thickness
-  /// and over each column between the lines of the mesh, bottom to top [Pa].
+  CoreStrain core; ///< only the components that were chosen
+  /// Largest von Mises stress in each electrode layer, bottom to top [Pa]. The stress is that of a
+  /// membrane: averaged through the layer and over each column between the lines of the mesh.
   std::vector<double> electrode_stress;
-  /// Largest difference of the forces through a level of the core from those on the cells, over the
-  /// largest sum of those.
+  /// Largest difference between the sums of the forces through any level of the core and of the
+  /// forces on the cells, relative to the largest sum of the forces on the cells [1].
   double equilibrium_residual = 0;
 };
 
-/// Components of the core's strain that the coupling of a case reads.
+/// Components of the core's strain that the coupling law of a case reads.
 finite_layers::ComponentChoice strain_components(const Case& input);
 
-/// Recovers the strain of states from the forces of their cells. Thread-safe; each state is the
-/// same bits in any company.
+/// Recovers the strain of states from the forces on their cells. Thread-safe. The result for a
+/// state does not depend on the states that are recovered with it, to the last bit.
 class StrainRecovery {
 public:
-  /// @param components of the core
-  /// @param threads that make what all states share
+  /// @param components of the core's strain to recover
+  /// @param threads number of threads that prepare what all states share
   StrainRecovery(std::shared_ptr<const SkinModel> model,
                  const finite_layers::ComponentChoice& components, int threads = 1);
 
-  /// Strains of states; some at once cost less than one by one.
-  /// @param centres of the slider [m]
-  /// @param forces of the cells [N]
+  /// Recovers the strains of several states, which costs less than one by one.
+  /// @param centres centre of the slider in each state [m]
+  /// @param forces on the cells in each state, [3 cells] [N]
   std::vector<RecoveredStrain> at(std::span<const std::array<double, 2>> centres,
                                   std::span<const CellVector> forces) const;
 
-  /// Strain of a state in all layers, with all components of the core.
+  /// Recovers the strain of one state in all layers, with all components of the core.
   using LayersOfState =
       std::function<LayerStrain(const std::array<double, 2>& centre, const CellVector& forces)>;
-  /// Makes what all states share of it, which nothing here needs; lives by itself.
+  /// Prepares the recovery of strain in all layers, once for all states. The result does not depend
+  /// on the lifetime of this object.
   LayersOfState all_layers() const;
 
 private:

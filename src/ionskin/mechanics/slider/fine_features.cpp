@@ -20,8 +20,8 @@ struct PlanCell {
   double x = 0, y = 0, length = 0, width = 0; ///< corner and sizes [m]
 };
 
-/// Departure of the samples of a cell from their plane; 0 where it does not reach so deep, or lies
-/// partly beyond the plan.
+/// Rms departure of the underside from a plane, from samples in a cell [m]; 0 where the cell does
+/// not reach within `depth` of the lowest point, or lies partly beyond the plan.
 double departure_in(const Underside& underside, const PlanCell& cell, double depth) {
   // Centred places, over the cell's size, are orthogonal to each other and to constants.
   const auto place = [](std::size_t i) {

@@ -12,8 +12,9 @@ namespace {
 namespace fl = finite_layers;
 
 constexpr double reach_of_pad = 12; // over its thickness: beyond it rests
-/// Stiffness against a change of volume has no bound at Poisson's ratio 0.5. With this one it is a
-/// million times that against shear, and displacements are those of 0.5 to some 1e-6.
+/// Largest Poisson's ratio that is used [1], because the stiffness against a change of volume has
+/// no bound at 0.5. With this value it is a million times the stiffness against shear, and
+/// displacements are those of 0.5 to about 1e-6.
 constexpr double nearly_incompressible = 0.5 - 2.5e-7;
 
 } // namespace

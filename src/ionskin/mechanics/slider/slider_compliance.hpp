@@ -9,22 +9,25 @@
 
 namespace ionskin::mechanics {
 
-/// The face of a soft slider, docs/model.md (36), (37).
+/// Compliance of the face of a soft slider, docs/model.md (36), (37), in the plane and over the
+/// wave number.
 struct SliderFace {
   finite_layers::PlaneCompliance compliance;
   finite_layers::WavesOfBody waves;
 };
+/// Makes the compliance of the face of a soft slider.
 SliderFace slider_face(const Slider& slider);
 
-/// The slider is above: what moves its face towards the load moves it away from the skin, so that
-/// normal and tangential parts are mixed with the opposite sign of those of a skin below.
+/// Sign of the mixed terms of a slider's compliance, normal displacement by tangential force and
+/// the reverse, relative to those of a skin [1]. The slider lies above: a load moves its face away
+/// from the skin, so that mixed terms change their sign.
 inline constexpr double mixed_of_slider = -1;
 
-/// Compliance of a soft slider under forces between it and the cells, docs/model.md (36): the part
-/// that is added to the compliance of the skin. The slider is a half-space, or a layer of its
-/// material on a rigid body, docs/model.md (37). Empty for a rigid slider. On a half grid the
-/// mirrored forces act, too.
-/// @return [3 cells, 3 cells], symmetric [m/N]
+/// Compliance of a soft slider under forces between it and the contact cells, docs/model.md (36),
+/// to be added to the compliance of the skin. The slider is a half-space, or a layer of its
+/// material on a rigid body, docs/model.md (37). On a grid of half the cells mirrored forces act,
+/// too.
+/// @returns [3 cells, 3 cells], symmetric [m/N]; empty for a rigid slider
 Eigen::MatrixXd slider_compliance(const Slider& slider, const finite_layers::ContactGrid& grid);
 
 } // namespace ionskin::mechanics

@@ -9,16 +9,19 @@
 
 namespace ionskin::mechanics {
 
-/// The face of a slider that presses on the skin; it must outlive this.
+/// Underside of a slider in one pose. The slider must outlive this object.
 class Underside {
 public:
   Underside(const Slider& slider, const shapes::Pose& pose);
-  /// Height above its lowest point at a place from the slider's centre [m];
+  /// Height of the underside above its lowest point, at x and y from the slider's centre [m];
   /// `shapes::unreachable_gap` beyond its plan.
   double gap(double x, double y) const;
 
-  /// Mean over a cell between two opposite corners [m]. A cell of which more than half lies beyond
-  /// the plan is none of the underside; of others the rest counts.
+  /// Mean height of the underside over a cell, above the lowest point of the underside [m]. Under a
+  /// slider with a yaw, a cell that lies by more than half beyond the plan does not belong to the
+  /// underside, and of other cells only the part within the plan counts.
+  /// @param low,high opposite corners of the cell, from the slider's centre [m]
+  /// @param reflect true, along x or y, to take the underside at the mirrored coordinate
   double mean_gap(const std::array<double, 2>& low, const std::array<double, 2>& high,
                   const std::array<bool, 2>& reflect) const;
 
@@ -26,17 +29,19 @@ private:
   shapes::Plan plan_;
   std::unique_ptr<const shapes::Shape> shape_;
   bool flat_;
-  bool turned_; ///< its edges lie along no cells
+  bool turned_; ///< true if a yaw turns its edges out of the directions of the cells
   double lowest_;
 };
 
-/// Means of the gap over the cells of a tensor grid, x fastest [m].
+/// Mean height of a slider's underside over each cell of a tensor grid, above its lowest point, in
+/// the pose of the slider [m]; x fastest.
 /// @param lines_x,lines_y cell edges from the slider's centre [m]
-/// @param reflect coordinates that run against the slider's own
+/// @param reflect true, along x or y, to take the underside at the mirrored coordinate
 std::vector<double> mean_gap(const Slider& slider, const std::vector<double>& lines_x,
                              const std::vector<double>& lines_y,
                              const std::array<bool, 2>& reflect);
-/// Means of the gap of a slider in a pose, over the cells of a tensor grid, x fastest [m].
+/// Mean height of a slider's underside over each cell of a tensor grid, above its lowest point, in
+/// a given pose [m]; x fastest. Parameters are those of the overload without a pose.
 std::vector<double> mean_gap(const Slider& slider, const shapes::Pose& pose,
                              const std::vector<double>& lines_x, const std::vector<double>& lines_y,
                              const std::array<bool, 2>& reflect);

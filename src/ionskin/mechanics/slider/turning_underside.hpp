@@ -9,20 +9,24 @@
 
 namespace ionskin::mechanics {
 
-/// The underside over the cells of a slider whose angles change, docs/model.md (77), (78).
+/// Underside of a slider whose angles change, sampled on the contact cells, docs/model.md (77),
+/// (78).
 class TurningUnderside {
 public:
-  /// @param slider,cells outlive this
+  /// @param slider,cells must outlive this object
   TurningUnderside(const Slider& slider, const ContactCells& cells)
       : slider_(slider), cells_(cells) {}
 
+  /// Pose in which the slider begins.
   const shapes::Pose& first() const { return slider_.pose; }
-  /// Mean gap of each cell [m].
+  /// Mean height of the underside over each cell, above its lowest point, in a pose [m].
   std::vector<double> gap(const shapes::Pose& pose) const;
-  /// Displacement of the underside at each cell along x and y by a turn about z [m].
+  /// Displacement of the underside at each cell, along x and y, by a turn about z [m].
+  /// @param angle [rad]
   std::vector<std::array<double, 2>> turn(double angle) const;
-  /// Both as ContactSolution keeps them: by how much the underside is lower, and how far it has
-  /// turned from a yaw of 0.
+  /// Displacement of the underside at each cell, as `SteppedInstant::turned` holds it: downwards
+  /// (minus the gap), and along x and y by the yaw of the pose [m].
+  /// @param gap as `gap(pose)` [m]
   std::vector<std::array<double, 3>> place(const shapes::Pose& pose,
                                            const std::vector<double>& gap) const;
 

@@ -5,14 +5,17 @@
 
 namespace ionskin::mechanics {
 
-/// Binding energy of all cells [J].
+/// Binding energy of all cells by adhesion, on the meshed part [J]; 0 without adhesion.
 double binding_energy(const ContactProblem& problem, const SurfaceState& state);
 
-/// Elastic energy of the skin less the binding energy of the cells [J].
+/// Potential energy of skin and adhesion: elastic energy of the skin less the binding energy, on
+/// the meshed part [J].
 double potential_energy(const ContactProblem& problem, const SurfaceState& state);
 
-/// Work of the slider on the skin between two states, less that of friction [J].
-/// @param lowered by how much the slider was lowered where it is off the skin in one of them [m]
+/// Work that the slider does on the skin between two states, less the work of friction, on the
+/// meshed part [J].
+/// @param lowered way of the slider downwards, used where it is off the skin in one of the states
+///   [m]
 double work_on_skin(const SurfaceState& before, const SurfaceState& after, double lowered);
 
 } // namespace ionskin::mechanics

@@ -15,11 +15,12 @@ namespace ionskin::mechanics {
 namespace {
 
 constexpr int most_relaxations = 3000;
-/// Change of the pulls over the largest force: below the first Newton finishes, below the second
-/// nothing is left to do.
+/// Changes of the pulls over the largest force [1]: below the first, Newton's method takes over;
+/// below the second, the contact is solved.
 constexpr double near_change = 0.02, relaxed_change = 1e-10;
 constexpr int relaxations_between = 10; ///< attempts of Newton
-/// Newton may move the forces by so much of their sum, or it has gone elsewhere.
+/// Largest change of the normal forces by Newton's method, over the sum of the forces [1]; a larger
+/// one means that it went to another solution.
 constexpr double most_moved = 0.2;
 
 [[noreturn]] void give_up_adhesion(double indentation) {

@@ -8,32 +8,34 @@
 
 namespace ionskin::mechanics {
 
-/// State of an adhesive contact before a step, on which the state after the step depends.
+/// State of an adhesive contact before a step. Several solutions may exist after the step; this
+/// state decides which one is found.
 struct AdhesiveStart {
   CellVector force;            ///< [N]
-  std::vector<double> opening; ///< of the cells [m]
+  std::vector<double> opening; ///< distance of each cell from the slider [m]
   double indentation = 0;      ///< [m]
 };
 
-/// A contact that nothing has touched yet.
+/// State before the first touch: no forces, and the slider just out of the range of adhesion.
 AdhesiveStart far_apart(const ContactProblem& problem);
+/// State after a solved step, as the start of the next step.
 AdhesiveStart start_from(const ContactProblem& problem, const SurfaceState& state);
 
-/// The contact with adhesion at an indentation, which need not have one solution: the one that a
-/// slow motion from the start comes to. The pulls are held at those of the openings, the contact is
-/// solved under them, which has one solution, and the pulls are those of its openings next,
-/// docs/model.md (44): the energy falls from one to the next until it cannot, also where the
-/// contact jumps.
+/// Solves an adhesive contact at a given indentation. Of several solutions it finds the one that a
+/// slow motion from the start reaches, docs/model.md (44): it repeatedly solves the contact under
+/// pulls held at those of the last openings, which has a single solution, and each time the energy
+/// falls, also where the contact jumps. Throws SolverError when this does not converge.
 SurfaceState relaxed_contact(const ContactProblem& problem, const SliderStep& step,
                              const AdhesiveStart& start);
 
-/// The solution of a step that Newton's method finds from forces, with the pulls as the law has
-/// them; empty where it ends far from them, or in an equilibrium that cannot last.
-/// @param indentation to start from, under a given force [m]
+/// Solves an adhesive contact by Newton's method from given forces. Empty where Newton's method
+/// fails, ends far from the start, or finds an unstable equilibrium.
+/// @param start forces to start from [N]
+/// @param indentation to start from, where the step prescribes a force [m]
 std::optional<SurfaceState> nearby_solution(const ContactProblem& problem, const SliderStep& step,
                                             const CellVector& start, double indentation);
 
-/// Sum of the magnitudes of all components [N].
+/// Sum of the magnitudes of all force components over all cells [N].
 double sum_of_magnitudes(const CellVector& force);
 
 } // namespace ionskin::mechanics

@@ -19,12 +19,13 @@ constexpr int most_heights = 200;
 constexpr double first_way = 0.25; ///< of the range of the adhesion
 constexpr double longest_way_growth = 2;
 constexpr double beyond_need = 1.05; ///< of the way that a straight line foresees
-/// A way up that is halved below this, of the range, ends in a jump.
+/// Shortest way up, over the range of adhesion [1]: where it would be halved below, the slider
+/// comes off in a jump.
 constexpr double shortest_way = 1e-4;
 constexpr double balance_tolerance = 1e-10; ///< of the sum of the cells' forces
 constexpr double height_tolerance = 1e-18;  ///< [m]
 
-/// States of a slider at heights that lead to one that carries a force.
+/// Searches for the height of the slider at which an adhesive contact carries a given force.
 class ForceSearch {
 public:
   ForceSearch(const ContactProblem& problem, const SliderStep& step)
@@ -67,7 +68,8 @@ private:
     auto near = nearby_solution(problem_, step, start.force, indentation);
     return near ? *std::move(near) : relaxed_contact(problem_, step, start);
   }
-  /// Newton's method from the nearer one, or a bracketed search over the indentation.
+  /// Finds the state that carries the force between two states that enclose it, by Newton's method
+  /// from the nearer one or by a bracketed search over the indentation.
   SurfaceState between(SurfaceState near, SurfaceState far) const {
     const double low = std::min(near.indentation, far.indentation),
                  high = std::max(near.indentation, far.indentation);

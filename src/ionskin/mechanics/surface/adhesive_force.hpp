@@ -5,8 +5,9 @@
 
 namespace ionskin::mechanics {
 
-/// The contact with adhesion under a force: the slider goes up or down from the start until it
-/// carries the force; where it comes off the skin before that, the state is without forces.
+/// Solves an adhesive contact under a given normal force: moves the slider up or down from the
+/// start until it carries the force. Where the slider comes off the skin before that, the state has
+/// no forces. Throws SolverError when no height is found.
 SurfaceState adhesive_contact_at_force(const ContactProblem& problem, const SliderStep& step,
                                        const AdhesiveStart& start);
 

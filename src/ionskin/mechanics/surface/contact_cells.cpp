@@ -6,11 +6,13 @@
 namespace ionskin::mechanics {
 namespace {
 
-/// Parts of an element under a sharp edge, over the first: there the traction grows like the
-/// inverse root of the distance, and what even tractions leave out falls with the first cell.
+/// Relative sizes of the parts into which an element under a sharp edge is cut, from the edge
+/// inwards. Traction grows there like the inverse root of the distance from the edge, and the error
+/// of uniform tractions falls with the size of the first cell.
 constexpr std::array<double, 3> parts_at_edge{1, 2, 4};
 
-/// @param at_begin,at_end whether the lines begin and end at sharp edges
+/// Lines of contact cells from the lines of the mesh along one direction [m].
+/// @param at_begin,at_end true if the lines begin and end at sharp edges
 std::vector<double> cell_lines(const std::vector<double>& lines, bool at_begin, bool at_end) {
   double whole = 0;
   for (const double part : parts_at_edge) {

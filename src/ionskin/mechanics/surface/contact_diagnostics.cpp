@@ -10,7 +10,7 @@ namespace ionskin::mechanics {
 
 namespace {
 
-/// Without a contact there is nothing to compare with, and nothing to compare.
+/// Quotient of two numbers; 0 for 0 / 0, as without a contact.
 double share(double part, double whole) {
   return part == 0 ? 0 : part / whole;
 }
@@ -52,7 +52,7 @@ ContactViolations contact_violations(const ContactProblem& problem, const Surfac
   return worst;
 }
 
-// Stored energy follows from the traction as it is, not from the slip that the law made it of.
+// Stored energy is computed from the present traction, not from the elastic slip behind it.
 FrictionEnergy friction_energy(const ContactProblem& problem, const SurfaceState& state) {
   const laws::Friction& friction = problem.friction;
   FrictionEnergy energy;

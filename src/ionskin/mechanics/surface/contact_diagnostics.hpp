@@ -5,37 +5,42 @@
 
 namespace ionskin::mechanics {
 
-/// Worst violations of the contact conditions over all cells. Forces are relative to the largest
-/// normal force, displacements to the largest indentation of the path.
+/// Largest violations of the conditions of contact and friction over all cells. Forces are relative
+/// to a reference force and displacements to a reference indentation, so that all are dimensionless
+/// [1].
 struct ContactViolations {
-  double tension = 0;     ///< pulled cells; under adhesion, normal forces off its law
-  double penetration = 0; ///< touching cells off the slider's face, open cells behind it
+  double tension = 0;     ///< pull of a cell; with adhesion, normal force off its law
+  double penetration = 0; ///< touching cell off the slider's face, or open cell behind it
   double cone = 0;        ///< tangential force beyond the friction limit
-  /// Tangential force t against the projection of t + slip / compliance on the friction cone: 0
-  /// exactly where a cell sticks, or slips with the limiting force along its slip.
+  /// Distance of the tangential force t from the projection of t + slip / compliance on the
+  /// friction cone: 0 where a cell sticks, or slips with the limiting force along its slip.
   double slip_law = 0;
+  /// Largest of the four violations; NaN if one is NaN.
   double largest() const;
 };
 
-/// Violations of the laws of contact and friction by a state, relative to the scales.
-/// @param reference_force,preload scales: largest normal force of a cell, indentation at full load
-/// [N], [m]
+/// Evaluates how far a state violates the conditions of contact and friction.
+/// @param reference_force largest normal force of a cell [N]
+/// @param preload indentation at full load [m]
 ContactViolations contact_violations(const ContactProblem& problem, const SurfaceState& state,
                                      double reference_force, double preload);
 
-/// Energy of friction in the step that led to a state [J].
+/// Energy of friction in a step, on the meshed part [J].
 struct FrictionEnergy {
-  double stored = 0; ///< behind the step, in the elastic slip
-  /// Sum over the cells that dissipate less than nothing, docs/model.md (46), without its sign.
+  double stored = 0; ///< in the elastic slip after the step
+  /// Energy created, an error of the friction law: sum of |D| over the cells whose dissipation D in
+  /// the step is negative, docs/model.md (46).
   double created = 0;
 };
+/// Energy of friction in the step that led to a state.
 FrictionEnergy friction_energy(const ContactProblem& problem, const SurfaceState& state);
 
-/// Friction limit less tangential traction of each cell [Pa]; 0 where it slips or is open.
+/// Tangential traction that each cell can still take before it slips: friction limit less present
+/// traction [Pa]; 0 where the cell slips or is open.
 std::vector<double> stick_reserve(const ContactProblem& problem, const CellVector& force);
 
-/// Area that touches without reaching the friction limit over the area that touches; 0 without
-/// contact.
+/// Area of the touching cells below the friction limit over the area of all touching cells [1]; 0
+/// without contact.
 double stick_fraction(const ContactProblem& problem, const CellVector& force);
 
 } // namespace ionskin::mechanics

@@ -114,7 +114,8 @@ Eigen::MatrixXd ContactLinearisation::matrix() const {
   return matrix;
 }
 
-/// Where the skin itself is held along s, its force does not change the trial force.
+/// Derivative of a cell's tangential equation r by its own tangential force s. Where the skin is
+/// held along s, the force does not change the trial force.
 double ContactLinearisation::own_tangential(int cell, int r, int s) const {
   const double by_trial =
       problem_.held(cell, 1 + s) ? 0.0 : at_.response[cell].tangential.by_trial[r][s];
@@ -162,7 +163,8 @@ Eigen::VectorXd ContactLinearisation::times(const Eigen::VectorXd& change) const
   return result;
 }
 
-/// Normal forces of the active cells that make displacements of theirs.
+/// Approximate normal forces of the active cells that make given normal displacements, with all
+/// other cells held.
 Eigen::VectorXd ContactLinearisation::pressed_by(const Eigen::VectorXd& displacement) const {
   CellVector values(3 * problem_.area.size(), 0.0);
   for (std::size_t i = 0; i < at_.active.size(); ++i) {
@@ -284,7 +286,7 @@ void ContactLinearisation::correct_by_products(double reduction, Iterate& iterat
        iterate);
 }
 
-/// Takes changes from an iterate.
+/// Subtracts changes of the unknowns from an iterate.
 void ContactLinearisation::move(const Eigen::VectorXd& change, Iterate& iterate) const {
   for (std::size_t i = 0; i < at_.active.size(); ++i) {
     const int cell = at_.active[i];

@@ -13,19 +13,19 @@ namespace {
 
 constexpr double newton_tolerance = contact_tolerance / 10;
 constexpr int most_iterations = 30;
-/// Bounds of a patient solution: its iterations, the first of which a step is halved where the
-/// residual grows, and the times that it is halved.
+/// Limits of a solution with `Patience::much`: its iterations, the first iteration in which a step
+/// is halved if the residual grows, and the number of such halvings.
 constexpr int most_patient_iterations = 100, first_halved = 15, most_halvings = 4;
-/// Bounds of the solution by products. Cells turn to and fro where linear equations are solved more
-/// roughly.
+/// Limits of a solution by products: its iterations, and the reduction of the residual of the
+/// linear equations. With a weaker reduction, cells alternate between stick and slip.
 constexpr int most_iterations_by_products = 100;
 constexpr double reduction_by_products = 1e-3;
-/// A residual that falls more slowly has outgrown the factorisation.
+/// Ratio of successive residuals above which the Jacobian is factorised anew.
 constexpr double least_contraction = 0.2;
 
-/// True if the determinant of a factorised matrix is positive: of a contact with adhesion, that its
-/// equilibrium can last. Where the pull falls with the opening faster than the skin springs back,
-/// the sign has changed, docs/model.md (43).
+/// True if the determinant of a factorised Jacobian is positive. In an adhesive contact this means
+/// that the equilibrium is stable: the sign changes where the pull falls with the opening faster
+/// than the skin springs back, docs/model.md (43).
 bool has_positive_determinant(const Eigen::PartialPivLU<Eigen::MatrixXd>& factor) {
   bool positive = factor.permutationP().determinant() > 0;
   for (const double pivot : factor.matrixLU().diagonal()) {
@@ -34,8 +34,8 @@ bool has_positive_determinant(const Eigen::PartialPivLU<Eigen::MatrixXd>& factor
   return positive;
 }
 
-/// Begins anew where no cell touches any more: the skin that they pressed down rises to the slider.
-/// A force needs a cell to bear it, the one that the slider meets first.
+/// Restarts from an undeformed skin where no cell touches any more, so that the skin rises to the
+/// slider. A given force is put on the cell that the slider meets first.
 void begin_anew(const ContactProblem& problem, const SliderStep& step, Iterate& iterate) {
   std::ranges::fill(iterate.force, 0.0);
   if (step.load.kind == LoadKind::force) {
@@ -49,8 +49,8 @@ void begin_anew(const ContactProblem& problem, const SliderStep& step, Iterate& 
   }
 }
 
-/// Cells that an iteration has drawn beyond where they stick, so that they would slip back, are
-/// held: else they turn to and fro.
+/// Sets cells to stick that an iteration moved so far that they would slip against their traction.
+/// Otherwise they would alternate between stick and slip.
 void hold_turned(const ContactProblem& problem, const SliderStep& step, const Iterate& iterate,
                  Standing& at) {
   for (const int cell : at.active) {
@@ -65,7 +65,7 @@ void hold_turned(const ContactProblem& problem, const SliderStep& step, const It
   }
 }
 
-/// Takes the middle between two iterates.
+/// Replaces an iterate by the mean of it and the iterate before.
 void go_half_back(const Iterate& before, Iterate& now) {
   for (std::size_t i = 0; i < now.force.size(); ++i) {
     now.force[i] = (now.force[i] + before.force[i]) / 2;
@@ -82,8 +82,8 @@ void ContactNewton::factorise(const ContactLinearisation& equations, const Stand
   ++factorisations_;
 }
 
-/// Moves forces within the tolerance to where their cells stand: open ones carry nothing, slipping
-/// ones their limit, and none is pulled by more than its adhesion.
+/// Adjusts forces, within the tolerance, to the status of their cells: open cells carry nothing,
+/// slipping cells their friction limit, and no cell is pulled by more than its adhesion.
 void ContactNewton::settle(const ContactProblem& problem, const Standing& at, Iterate& iterate) {
   settled_by_ = {};
   for (int cell = 0; cell < problem.cells(); ++cell) {

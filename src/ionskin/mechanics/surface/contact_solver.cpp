@@ -14,7 +14,8 @@
 namespace ionskin::mechanics {
 namespace {
 
-/// Indentation at which forces hold the cells on the slider's face, in the mean over the force.
+/// Mean, weighted with the normal forces, of the indentation at which the cells lie on the slider's
+/// face under given forces [m].
 double mean_indentation(const ContactProblem& problem, const CellVector& force) {
   const CellVector surface = problem.surface_displacement(force);
   double sum = 0, total = 0;
@@ -34,9 +35,9 @@ double mean_indentation(const ContactProblem& problem, const CellVector& force) 
       "lower contact.friction, or change numerics.mesh_refinement");
 }
 
-/// Solves loads from the first touch on of which each is twice as heavy as the one before. Most
-/// cells that touch then touched under half of it; on a stiff electrode over a soft core Newton's
-/// method diverges where it begins with none.
+/// Solves a series of loads from the first touch on, each twice as heavy as the one before, up to
+/// the given load. Most cells that touch under a load already touched under half of it. On a stiff
+/// electrode over a soft core, Newton's method diverges when it begins without touching cells.
 Iterate solve_by_growing_loads(const ContactProblem& problem, const SliderStep& step) {
   constexpr int doublings = 12;
   const double first_touch = step.load.kind == LoadKind::force ? 0.0 : problem.least_free_gap();

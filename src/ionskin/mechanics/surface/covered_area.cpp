@@ -15,7 +15,7 @@ namespace {
 constexpr std::uintmax_t most_iterations = 60;
 constexpr double border_tolerance = 1e-14; // of the farthest border
 
-/// 3/2 of the mean of sqrt(border - x) over an interval that may reach beyond the border.
+/// Mean of sqrt(border - x) over an interval, times 3/2; the interval may reach beyond the border.
 double mean_root(double from, double to, double border) {
   const auto power = [&](double x) {
     const double distance = std::max(0.0, border - x);
@@ -24,10 +24,12 @@ double mean_root(double from, double to, double border) {
   return (power(from) - power(to)) / (to - from);
 }
 
-/// Where a field like sqrt(border - x) ends that has given means over its last positive cell, which
-/// begins at 0, and over the cell before it.
-/// @param width,width_before of these cells; @param width_beyond of the open cell behind them, of
-/// which at most half is covered; @param ratio of their means
+/// Position of the border at which a field like sqrt(border - x) ends, from its means over its last
+/// positive cell, which begins at 0, and over the cell before it.
+/// @param width of the last positive cell
+/// @param width_before of the cell before it
+/// @param width_beyond of the open cell behind it, of which at most half is covered
+/// @param ratio mean over the last positive cell, over the mean over the cell before it
 double border_of(double width, double width_before, double width_beyond, double ratio) {
   const auto excess = [&](double border) {
     return mean_root(0, width, border) / mean_root(-width_before, 0, border) - ratio;
@@ -45,7 +47,7 @@ double border_of(double width, double width_before, double width_beyond, double 
   return 0.5 * (low + high);
 }
 
-/// A cell field with its squares, which fall linearly to a border.
+/// Field on contact cells whose square falls linearly to a border.
 class CellField {
 public:
   CellField(const CellGrid& cells, std::span<const double> field)
@@ -67,7 +69,8 @@ public:
     return sum;
   }
 
-  /// Area of the cells that are positive, or are not, and have a neighbour of the other kind.
+  /// Area of the cells at the border, on its inner side (`positive`) or on its outer side: cells
+  /// with a neighbour on the other side.
   double area_at_border(bool positive) const {
     double sum = 0;
     for (std::size_t cell = 0; cell < cells_.area.size(); ++cell) {
@@ -106,7 +109,7 @@ private:
   }
   double square(std::size_t cell) const { return field_[cell] * field_[cell]; }
 
-  /// Slope of the square along a direction.
+  /// Slope of the square of the field along direction d.
   double slope(std::size_t cell, std::size_t d) const {
     double rise = 0, distance = 0;
     for (const bool upwards : {false, true}) {
@@ -119,9 +122,9 @@ private:
     return distance > 0 ? rise / distance : 0.0;
   }
 
-  /// Area between the face of a positive cell towards an open one and the border, negative when the
-  /// border lies within the cell. An oblique border is seen along both directions, each with its
-  /// part of the border's normal.
+  /// Area between the border and the face of a positive cell towards an open cell, negative when
+  /// the border lies within the positive cell. An oblique border is seen along both directions;
+  /// each counts with its share of the border's normal.
   double beyond_face(std::size_t cell, std::size_t d, bool upwards) const {
     if (!has_neighbour(cell, d, upwards) || !has_neighbour(cell, d, !upwards) ||
         field_[neighbour(cell, d, upwards)] > 0) {

@@ -14,7 +14,8 @@ constexpr Eigen::Index most_directions = 60;
 constexpr int most_begun = 5;
 constexpr double least_progress = 0.9; // of the residual from one beginning to the next
 
-/// Directions that are orthogonal, and the least residual in their space by Givens rotations.
+/// Orthonormal directions of a Krylov space, and the least residual in that space by Givens
+/// rotations.
 class KrylovSpace {
 public:
   explicit KrylovSpace(const Eigen::VectorXd& residual)
@@ -29,7 +30,8 @@ public:
   double residual() const { return std::abs(rest_(size())); }
   bool full() const { return size() == most_directions || ended_; }
 
-  /// @param next product of the last direction
+  /// Adds a direction.
+  /// @param next product of the equations with the last direction
   void add(Eigen::VectorXd next) {
     const Eigen::Index n = size();
     Eigen::VectorXd column(n + 2);
@@ -54,7 +56,7 @@ public:
     triangle_.col(n).head(n + 1) = column.head(n + 1);
   }
 
-  /// Combination of the directions with the least residual.
+  /// Combination of the directions that has the least residual.
   Eigen::VectorXd combination() const {
     const Eigen::VectorXd factors = triangle_.topLeftCorner(size(), size())
                                         .triangularView<Eigen::Upper>()
@@ -90,7 +92,7 @@ Eigen::VectorXd gmres(const LinearMap& product, const LinearMap& about_inverse,
     const bool found = space.residual() <= wanted;
     solution += about_inverse(space.combination());
     if (found) {
-      break; // rounding is Newton's to see
+      break; // Newton's method sees the effect of rounding
     }
     residual = right - product(solution);
     if (!(residual.norm() < least_progress * before)) {
