@@ -127,8 +127,8 @@ public:
   /// Second part of a step, not to be called for a refused step: integrates the strain fields,
   /// updates the charges, and writes the remaining signals.
   /// @param pressed result of `press`
-  /// @param fields of the channels, which hold the touch of this skin in `lane`; their
-  /// values are not used if nothing touches
+  /// @param fields of the channels, which hold the touch of this skin in `lane`; their values are
+  /// not used if nothing touches
   void tell(const Pressed& pressed, std::span<const ChannelField> fields, std::size_t lane,
             std::span<double> signals) noexcept;
   /// Position and cell forces of a step, as `ChannelField::set` takes them. The forces are a view
