@@ -50,12 +50,12 @@ inline constexpr double most_turned = 1e6;
 /// one `SkinData`, and copies share tables too.
 class Skin {
 public:
-  /// Makes a detached skin at rest.
+  /// Makes a skin at rest without contact.
   /// @param data the trained model; must outlive the skin
   explicit Skin(const SkinData& data);
 
-  /// Names of the signals, in the order in which a step writes them: those of signals.csv and
-  /// taxels.csv, in SI units.
+  /// Names of the signals, in the order in which a step writes them, as in signals.csv and
+  /// taxels.csv; all signals are in SI units.
   const std::vector<std::string>& names() const { return names_; }
 
   /// Advances the skin to an instant, with the slider at a position and at a given height or under
@@ -106,7 +106,7 @@ public:
   /// Coefficient of friction of the next step [1].
   double friction() const { return contact_.friction(); }
 
-  /// Resets the state to that of a detached skin at rest.
+  /// Resets the state to that of a skin at rest without contact.
   void reset() noexcept;
   /// State that passes from step to step, for `restore`. Its memory belongs to the skin.
   std::span<const double> state() const { return state_; }
@@ -178,9 +178,11 @@ private:
   LiveContact contact_;
   std::vector<std::string> names_;
   std::vector<double> state_;
+  /// Offsets of the parts of the state: cell forces, surface displacements, memory of friction,
+  /// states and last drives of the charges, waves, charges and signals of the last step.
   std::size_t force_ = 0, surface_ = 0, memory_ = 0, filters_ = 0, drives_ = 0, waves_ = 0,
               charges_ = 0, signals_ = 0;
-  std::size_t regions_;
+  std::size_t regions_; ///< number of regions: the core and the taxels
   /// Distinct corners of the core and of the taxels, x and y [m].
   std::vector<std::array<double, 2>> corners_;
   /// Indices in `corners_` of the corners of each region: low x and low y, high and low, low and
@@ -192,6 +194,8 @@ private:
   ChargeSpread spread_;
   std::vector<double> corner_levels_; ///< integrals of a channel up to each corner [corner][level]
   std::vector<LowPass> passes_;       ///< low-pass weights of the step [rate]
+  /// Work arrays: integrals of a channel [region][level], charges [region][top, bottom] [C],
+  /// pressures of the cells [Pa], drives of the waves [C].
   std::vector<double> levels_, charge_, pressure_, wave_drive_;
   Pressed last_; ///< last step, for the derivatives
   /// Derivative of the charge of each output by one motion [region][top, bottom] [C/m], [C/rad].

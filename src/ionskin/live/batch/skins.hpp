@@ -58,8 +58,8 @@ public:
   void step(std::size_t worker, std::size_t first, std::size_t last,
             const Step<Value>& step) noexcept;
 
-  /// Resets an environment to a detached skin at rest; friction and noise stay. Not to be called
-  /// while a worker steps.
+  /// Resets an environment to a skin at rest without contact; friction and noise stay. Not to be
+  /// called while a worker steps.
   void reset(std::size_t environment) noexcept;
   /// State of an environment, for `restore`.
   std::span<const double> state(std::size_t environment) const { return states_[environment]; }

@@ -40,8 +40,8 @@ public:
   /// Makes the first step of the skin, with the present inputs, at the start time.
   void exit_initialization();
   void terminate() { mode_ = Mode::terminated; }
-  /// Returns to the mode `instantiated`, with a detached skin at rest and all inputs at their start
-  /// values.
+  /// Returns to the mode `instantiated`, with a skin at rest without contact and all inputs at
+  /// their start values.
   void reset();
   /// Makes a step with the present inputs.
   /// @param time at the end of the step [s]

@@ -38,9 +38,9 @@ typedef struct ionskin_live_skin ionskin_live_skin;
 /* Interface number of the library, to be compared with IONSKIN_LIVE_INTERFACE. */
 uint32_t ionskin_live_interface(void);
 
-/* Opens a `.live` file and returns a detached skin at rest. If the file cannot be used, returns
-   NULL and writes the reason to `message`, cut to `size` bytes with the terminating 0; nothing is
-   written if `size` is 0. */
+/* Opens a `.live` file and returns a skin at rest without contact. If the file cannot be used,
+   returns NULL and writes the reason to `message`, cut to `size` bytes with the terminating 0;
+   nothing is written if `size` is 0. */
 ionskin_live_skin* ionskin_live_open(const char* path, char* message, size_t size);
 /* Returns another skin of the same file, in the same state and with the same friction; NULL when
    out of memory. */
@@ -104,7 +104,7 @@ void ionskin_live_save(const ionskin_live_skin* skin, double* state);
    values. Returns 1; or 0, with nothing changed, if no step can leave such a state: its size
    differs, or a number is not finite or out of range. */
 int ionskin_live_restore(ionskin_live_skin* skin, const double* state, size_t size);
-/* Resets the state to that of a detached skin at rest. */
+/* Resets the state to that of a skin at rest without contact. */
 void ionskin_live_reset(ionskin_live_skin* skin);
 
 /* Sets the coefficient of friction, which is not part of the state. Allocates memory. Returns 1; or

@@ -46,8 +46,8 @@ struct Signals {
 /// copies share the data of the file.
 class Skin {
 public:
-  /// Opens a `.live` file, as a detached skin at rest. Throws std::runtime_error, with the reason,
-  /// when the file cannot be used.
+  /// Opens a `.live` file, as a skin at rest without contact. Throws std::runtime_error, with the
+  /// reason, when the file cannot be used.
   explicit Skin(const std::string& path) : handle_(open(path), ionskin_live_close) { take_names(); }
   /// Makes another skin of the same file in the same state. Throws std::bad_alloc.
   Skin(const Skin& other)
@@ -128,7 +128,7 @@ public:
   bool restore(const double* state, std::size_t size) noexcept {
     return ionskin_live_restore(handle_.get(), state, size) != 0;
   }
-  /// Resets the state to that of a detached skin at rest.
+  /// Resets the state to that of a skin at rest without contact.
   void reset() noexcept { ionskin_live_reset(handle_.get()); }
 
   /// Sets the coefficient of friction, which is not part of the state. Allocates memory.

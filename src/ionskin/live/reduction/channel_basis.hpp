@@ -14,10 +14,9 @@ namespace ionskin::live {
 /// Fields of one channel (scalar field over the core, such as the shear) in samples of the contact,
 /// from which the modes are made.
 struct ChannelSamples {
-  std::array<std::size_t, 3> points{},
-      /// Numbers along x, y, z of the Gauss points of the mesh, and of the values of the strain
-      /// history's grid.
-      cells{};
+  /// Numbers along x, y, z of the Gauss points of the mesh, and of the values of the strain
+  /// history's grid.
+  std::array<std::size_t, 3> points{}, cells{};
   Eigen::MatrixXf at_points; ///< values at the Gauss points [z][y][x], sample
   Eigen::MatrixXf fields;    ///< values on the grid [level][y][x], sample
 };
@@ -50,8 +49,8 @@ struct ChannelBasis {
 /// @returns [combination][y][x], then [combination]; sample
 Eigen::MatrixXf measured(const Eigen::MatrixXf& fields, const ChannelMeasure& measure);
 
-/// Projects values on a grid onto the part that has one parity under the reflections. The squares
-/// of all parities add up to those of the values and their mirror images.
+/// Projects values on a grid onto the part that has one parity under the reflections. The sum of
+/// the squares over all parities equals the sum of the squares over all mirror images.
 /// @param values [z][y][x], sample
 /// @param size along x, y, z
 Eigen::MatrixXf of_parity(const Eigen::MatrixXf& values, const std::array<std::size_t, 3>& size,
@@ -69,6 +68,7 @@ ChannelBasis channel_basis(const ChannelSamples& samples, const ChannelMeasure& 
 /// Corrects the fit of a basis by least squares so that it reproduces samples at another position
 /// of the slider, such as near the ends of the skin, where shear decays differently from the
 /// middle.
+/// @param samples at this position
 /// @param measure with the areas of the columns that lie within the core at this position
 /// @returns corrected fit [mode][point]
 Eigen::MatrixXd fit_at_place(const ChannelBasis& basis, const ChannelSamples& samples,

@@ -30,6 +30,7 @@ std::array<std::vector<double>, 2> fixed_edges(const SkinData& data, const Place
 
 /// Averages fields from the grid that moves with the slider onto cells that are fixed to the skin.
 /// @param fields [level][y][x], sample
+/// @param grid that moves with the slider
 /// @param place position of the slider's centre [m]
 /// @param edges of the fixed cells along x and y [m]
 /// @returns [level][y][x], sample
@@ -45,8 +46,8 @@ struct LeftAtPlace {
   Eigen::MatrixXf fields;
 };
 
-/// Modes of these remainders, which stay with the skin, and for each position a regression of their
-/// amplitudes on the channel's values at the points of the basis.
+/// Modes of the remainders (`LeftAtPlace`), which stay with the skin, and for each position a
+/// regression of their amplitudes on the channel's values at the points of the basis.
 struct FixedModes {
   Eigen::MatrixXd field;            ///< modes [level][y][x], mode
   std::vector<std::size_t> parity;  ///< parity of each mode (`Reflections`)
