@@ -45,7 +45,7 @@ public:
   void reset();
   /// Makes a step with the present inputs.
   /// @param time at the end of the step [s]
-  /// @returns false, with nothing changed, if the skin refuses the step
+  /// @returns false, with state and outputs unchanged, if the skin refuses the step
   bool step(double time);
 
   /// Value of a real variable, by its value reference; null if there is no such variable.
@@ -57,8 +57,9 @@ public:
   /// Input variable by its value reference, to be written; null if there is no such input.
   double* input(std::size_t reference);
   bool inputs_are_finite() const;
-  /// Moves the coefficient of friction into the trained range.
-  /// @returns true if it was outside
+  /// Moves the coefficient of friction into the trained range. Leaves a value that is not finite,
+  /// which a step refuses.
+  /// @returns true if the coefficient was outside
   bool limit_friction();
   /// Bits of `live::flag` of the last step.
   std::uint32_t flags();
