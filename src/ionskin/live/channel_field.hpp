@@ -13,58 +13,73 @@
 
 namespace ionskin::live {
 
-/// A channel of the core while sliders press, each on a skin of its own: modes of its field from
-/// the forces of the cells, and integrals up to a corner. Copies share their tables; nothing is
-/// allocated after construction.
+/// Evaluates the reduced model of one channel (scalar field over the core, such as the shear) for
+/// up to `most_lanes` skins at once, each with a slider of its own: amplitudes of the modes from
+/// the cell forces, and integrals of the field over rectangles from a corner of the core. Nothing
+/// is allocated after construction; copies share their tables.
 class ChannelField {
 public:
-  /// Where a slider is, and the forces on the cells [3 cells] [N].
+  /// Position of a slider's centre [m], and the forces on its contact cells [3 cells] [N].
   struct Touch {
     std::array<double, 2> place;
     std::span<const double> force;
   };
 
-  /// @param channel of so many cells; outlives this
+  /// Prepares the tables.
+  /// @param channel reduced model; must outlive the field
+  /// @param cells number of contact cells
   ChannelField(const ChannelMap& channel, std::size_t cells);
 
   const ChannelMap& map() const { return channel_; }
+  /// Number of z levels.
   std::size_t levels() const { return channel_.mean.size(); }
 
-  /// Sets the touches whose fields are asked for next, one lane each.
-  /// @param touches one for each lane, at most `most_lanes`
+  /// Computes the mode amplitudes of some touches; the other functions then refer to these by lane.
+  /// @param touches one for each lane: one, or up to `most_lanes`
   void set(std::span<const Touch> touches) noexcept;
-  /// Integrals over all that lies before a corner along x and y, one for each level.
+  /// Computes the integrals of the field over all of the core below a corner in x and y, at each z
+  /// level.
+  /// @param place position of the slider's centre [m]
+  /// @param corner in the skin's frame [m]
+  /// @param levels receives the integrals [level] [m2 times unit of the channel]
   void integrate_to(std::size_t lane, const std::array<double, 2>& place,
                     const std::array<double, 2>& corner, std::span<double> levels) const noexcept;
-  /// Sets one touch, and the derivatives of its amplitudes by the motions of the slider,
-  /// docs/model.md (82).
-  /// @param force_by_motion [motion][3 cells] [N/m], [N/rad]
+  /// Computes the mode amplitudes of one touch, in lane 0, and their derivatives by the rigid
+  /// motions of the slider, docs/model.md (82).
+  /// @param force_by_motion derivatives of the cell forces [motion][3 cells] [N/m], [N/rad]
   void differentiate(const Touch& touch, std::span<const double> force_by_motion) noexcept;
-  /// Derivatives of `integrate_to` by a motion of the touch that `differentiate` set.
+  /// Computes the derivatives of the integrals of `integrate_to` by a motion, for the touch of the
+  /// last call of `differentiate`. The parameters are those of `integrate_to`.
+  /// @param motion index of the rigid motion, 0 to 5
   void integrate_slope_to(std::size_t motion, const std::array<double, 2>& place,
                           const std::array<double, 2>& corner,
                           std::span<double> levels) const noexcept;
+  /// Derivatives of the mode amplitudes by a motion, from the last call of `differentiate`; order
+  /// of the modes as in `amplitude`.
   std::span<const double> amplitude_slope(std::size_t motion) const {
     return std::span(amplitude_slope_).subspan(motion * modes_, modes_);
   }
-  /// Amplitudes of the modes of a lane: those that ride with the slider, then those that stay with
-  /// the skin.
+  /// Mode amplitudes of a lane: modes that move with the slider, then modes that stay with the
+  /// skin.
   std::span<const double> amplitude(std::size_t lane) const {
     return std::span(amplitude_).subspan(lane * modes_, modes_);
   }
 
 private:
   struct Tables {
-    /// Strains: first by the force on each cell, then by what `reach` gives.
+    /// Strains at the points by the force on each cell, then by each direction of `reach`.
     LaneProduct strain;
-    /// The change of the strains with the place is smooth and needs few directions: for each mode
-    /// of the place and each of them the force in it.
+    /// Low-rank form of the change of the strains with the position, which is smooth: components of
+    /// the cell forces along few directions, for each mode of the position [position
+    /// mode][direction].
     LaneProduct reach;
     std::size_t directions = 0;
-    LaneProduct fit; ///< amplitudes by the channel at each point, times that of each place mode
-    std::size_t riding = 0; ///< modes that ride with the slider; the others stay with the skin
-    /// Integral of each mode from the lowest corner of its frame to the crossings of the edges,
-    /// between which it is bilinear: [x edge][y edge][level][mode].
+    /// Amplitudes by the channel at each point, then by it times the amplitude of each position
+    /// mode.
+    LaneProduct fit;
+    std::size_t riding = 0; ///< modes that move with the slider; the rest stay with the skin
+    /// Integral of each mode from the lowest corner of its grid to the crossings of the grid's
+    /// edges, between which it is bilinear [x edge][y edge][level][mode].
     std::vector<float> integral, fixed_integral;
   };
   static Tables tables(const ChannelMap& channel, std::size_t cells, std::size_t modes);
@@ -74,9 +89,10 @@ private:
                          std::span<const std::span<const double>> forces) noexcept;
   double along_direction(std::span<const double> amplitude, const float* reached,
                          std::size_t direction) const noexcept;
-  /// Adds the integrals of modes with these amplitudes up to a corner between edges, one for each
-  /// level.
-  /// @param rows edges of y
+  /// Adds, at each level, the integrals up to a corner of modes with given amplitudes.
+  /// @param integral as in `Tables`
+  /// @param rows number of y edges
+  /// @param x, y position of the corner between the edges
   static void add_integrals(const std::vector<float>& integral, std::size_t rows, const Between& x,
                             const Between& y, std::span<const double> amplitude,
                             std::span<double> levels) noexcept;
@@ -93,7 +109,7 @@ private:
   std::vector<std::uint32_t> columns_, all_points_;
   std::vector<float> factors_, reached_, strain_, fitted_;
   std::vector<double> place_amplitude_, point_, amplitude_;
-  // The touch whose derivatives are asked for.
+  // Touch of the last call of `differentiate`.
   std::vector<float> own_strain_, own_reached_;
   std::vector<double> own_point_, place_slope_, amplitude_slope_;
 };

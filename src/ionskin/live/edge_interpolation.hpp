@@ -8,14 +8,16 @@
 
 namespace ionskin::live {
 
-/// Linear interpolation at a coordinate: the two edges around it, and their weights, which add up
-/// to
-/// 1. Outside of all edges it is the nearest one.
+/// Linear interpolation at a coordinate: indices of the two edges around it, and their weights,
+/// which add up to 1. Outside all edges, both are the nearest edge, with the weights 1 and 0.
 struct Between {
   std::array<std::size_t, 2> edge{};
   std::array<double, 2> weight{};
 };
 
+/// Finds the edges around a coordinate and their weights.
+/// @param edges ascending, not empty
+/// @param at coordinate, in the unit of the edges
 inline Between between(const std::vector<double>& edges, double at) noexcept {
   const auto above = std::ranges::upper_bound(edges, at);
   if (above == edges.begin() || above == edges.end()) {
@@ -27,8 +29,8 @@ inline Between between(const std::vector<double>& edges, double at) noexcept {
   return {{i - 1, i}, {1 - weight, weight}};
 }
 
-/// Derivative of the weights by the coordinate; none outside the edges, and that of the side above
-/// on an edge.
+/// Finds the edges around a coordinate and the derivatives of their weights by the coordinate; 0
+/// outside the edges. On an edge they are those of the interval above it.
 inline Between slope_between(const std::vector<double>& edges, double at) noexcept {
   Between result = between(edges, at);
   const auto& [low, high] = result.edge;

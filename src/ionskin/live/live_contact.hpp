@@ -13,39 +13,52 @@
 
 namespace ionskin::live {
 
-/// One increment of contact and friction by at most so many sweeps of projected Gauss-Seidel, which
-/// start from the forces of the step before, with Newton's steps for the normal and for the
-/// tangential forces between them; where they miss a given force, a bracketed search over the
-/// indentation. Never fails; the remaining residual is reported. Nothing is allocated after
-/// construction.
+/// Solves increments of frictional contact between slider and skin for the reduced-order model.
+/// Each step does a limited number of projected Gauss-Seidel sweeps, which start from the forces of
+/// the last step, with Newton steps for the normal and for the tangential forces in between. Where
+/// these miss a given force, a bracketed search over the indentation follows. A step never fails;
+/// it returns the remaining residual. Only construction and `set_friction` allocate.
 class LiveContact {
 public:
-  /// State that passes from step to step; memory of the owner.
+  /// State that passes from step to step. The caller owns the memory.
   struct State {
-    std::span<double> force, surface; ///< [3 cells] [N], [m]
-    std::span<double> memory;         ///< of friction, as many as `memory_size()`
-    double& indentation;              ///< [m]
-    double& assembled_x;              ///< the place whose compliance is used; NaN for none [m]
+    /// Forces on the cells and displacements of the skin's surface there [3 cells] [N], [m]; the
+    /// components of a cell are normal (into the skin), along x, along y.
+    std::span<double> force, surface;
+    std::span<double> memory; ///< of the friction law [memory_size()]
+    double& indentation;      ///< of the slider into the skin; negative above it [m]
+    double& assembled_x; ///< x and y of the position whose compliance is used; NaN for none [m]
     double& assembled_y;
   };
+  /// Load of the slider: a held force or a held indentation.
   struct Load {
     bool is_force = false;
-    double value = 0; ///< on the meshed part [N], or indentation, negative above the skin [m]
+    /// Normal force on the modelled part of the skin [N], or indentation, negative above the skin
+    /// [m].
+    double value = 0;
   };
 
-  /// Tilt and turn of a slider in a step, docs/model.md (77), (78).
+  /// Tilt of the slider and its rotation about z in a step, docs/model.md (77), (78).
   struct Stance {
-    std::array<double, 2> slope{}; ///< of the underside along x and y [1]
-    double lowest = 0; ///< height of its lowest point above that of the upright one, about the
-                       ///< centre [m]
-    double turn = 0;   ///< about z in the step [rad]
+    std::array<double, 2> slope{}; ///< slope of the underside along x and y [1]
+    /// Height of the lowest point of the tilted underside above that of the upright one, when both
+    /// have the same height at the slider's centre [m].
+    double lowest = 0;
+    double turn = 0; ///< rotation about z in the step [rad]
   };
 
-  /// @param data outlives this
+  /// Sets up the contact with the friction law of the case.
+  /// @param data the trained model; must outlive the contact
   explicit LiveContact(const SkinData& data);
 
-  /// Steps the contact; `state` is that before the step on entry and that behind it on return.
-  /// @returns the largest change of a force in the last sweep over the largest force
+  /// Solves one increment of contact. The overload without a stance is for an upright slider that
+  /// does not rotate.
+  /// @param time_step duration of the step [s]
+  /// @param place position of the slider's centre at the end of the step [m]
+  /// @param travel displacement of the slider's centre in the step [m]
+  /// @param state that before the step on entry, that after the step on return
+  /// @returns residual: largest change of a force in the last sweep over the largest normal force,
+  /// or relative error of a given force, whichever is larger [1]
   double step(double time_step, const std::array<double, 2>& place,
               const std::array<double, 2>& travel, const Load& load, State state) noexcept {
     return step(time_step, place, travel, Stance(), load, state);
@@ -53,34 +66,42 @@ public:
   double step(double time_step, const std::array<double, 2>& place,
               const std::array<double, 2>& travel, const Stance& stance, const Load& load,
               State state) noexcept;
-  /// Takes the compliance of the state's assembled place, after a restore.
+  /// Sets up the compliance at the assembled position of a state that was restored.
   void assemble(const State& state) noexcept;
-  /// Goes over to another skin of the same file, with a friction of its own.
+  /// Switches to the state of another skin of the same file, and swaps the friction law.
   void exchange(laws::Friction& friction, const State& state) noexcept;
-  /// Derivative of the wrench on the meshed part, docs/model.md (79), by a rigid motion of the
-  /// slider at the end of the last step, which begins as it did, docs/model.md (80): forces along
-  /// x, y and z, moments about x, y and z [row] by ways along x, y and z, turns about x, y and z
-  /// through the slider's centre on the undeformed top face [column].
-  /// @returns false where there was no step in this state, or the equations were not solved
+  /// Computes the derivative of the wrench on the modelled part of the skin, docs/model.md (79), at
+  /// the end of the last step, by a rigid motion of the slider, docs/model.md (80). The beginning
+  /// of the step stays as it was.
+  /// @param state as the last step left it
+  /// @param matrix receives [forces along x, y, z (N), moments about x, y, z (N m)][translations
+  /// along x, y, z (m), rotations about x, y, z (rad)], the axes through the slider's centre on the
+  /// undeformed top face
+  /// @returns true, with zeros if nothing touches; false if no step led to this state or the
+  /// equations were not solved
   bool stiffness(const State& state, std::span<double, 36> matrix) noexcept;
-  /// Derivatives of the cells' forces by which `stiffness` found the last matrix: [motion][3 cells]
-  /// [N/m], [N/rad].
+  /// Derivatives of the cell forces by the rigid motions, from the last call of `stiffness`
+  /// [motion][3 cells] [N/m], [N/rad].
   std::span<const double> force_by_motion() const { return force_by_motion_; }
-  /// Leaves the last step, as another state is taken up.
+  /// Forgets the last step, when another state is restored: `stiffness` then returns false.
   void leave() noexcept { stepped_ = false; }
-  bool slips(std::size_t cell) const { return slips_[cell] != 0; } ///< of the last step
-  /// Middle of a cell, from the slider's centre [m].
+  /// True if the cell slipped in the last step.
+  bool slips(std::size_t cell) const { return slips_[cell] != 0; }
+  /// Middle of a cell, measured from the slider's centre [m].
   const std::array<double, 2>& middle(std::size_t cell) const { return middle_[cell]; }
-  /// Numbers that the friction law keeps from step to step: of each cell its elastic slip along x
-  /// and y [m] and the limit under which it was made [Pa], or the speed that it follows with a lag
-  /// [m/s]; none for a law that remembers nothing.
+  /// Number of values that the friction law carries from step to step: for each cell its elastic
+  /// slip along x and y [m] and the limit traction under which that slip was made [Pa], or the
+  /// low-pass filtered slip speed [m/s]; 0 for a law without memory.
   std::size_t memory_size() const { return memory_size_; }
-  /// Sets another coefficient of the law, which takes memory. Throws where the law has none of it.
+  /// Sets the coefficient of friction [1]. Allocates memory. Throws where the law does not accept
+  /// it.
   void set_friction(double coefficient);
+  /// Coefficient of friction [1].
   double friction() const { return friction_.coefficient; }
 
 private:
-  struct Sweep { // changes of a force at most, of all and of the normal ones [N]
+  // Largest changes of a force component in a sweep, of all and of the normal ones [N].
+  struct Sweep {
     double change = 0, normal_change = 0;
   };
   void tilt(const Stance& stance) noexcept;
@@ -96,7 +117,7 @@ private:
                                      const State& state) const noexcept;
   bool take_normal(std::span<const std::size_t> touching) noexcept;
   std::span<const std::size_t> find_touching(const State& state) noexcept;
-  // The derivatives stand in contact_stiffness.cpp.
+  // Derivatives, in contact_stiffness.cpp.
   double leave_residual(std::span<const std::size_t> touching, const State& state) noexcept;
   void add_up(const State& state) noexcept;
   bool correct(const Load& load, State& state) noexcept;
@@ -110,35 +131,39 @@ private:
   const SkinData& data_;
   laws::Friction friction_;
   std::size_t size_, memory_size_;
-  std::vector<double> gap_; ///< in the stance of the step [m]
+  std::vector<double> gap_; ///< gap of each cell in the stance of the step [m]
   bool tilted_ = false;
   double first_touch_;
   std::vector<std::array<double, 2>> middle_;
-  std::vector<float> compliance_;           ///< [column][row], where `assembled_` says so
-  std::vector<char> assembled_;             ///< columns
-  std::vector<double> own_;                 ///< [3 cells] diagonal
-  std::vector<float> diagonals_;            ///< of the mean and of each mode [1 + modes][3 cells]
-  std::vector<double> before_;              ///< [3 cells] surface of the step before
-  std::vector<double> amplitude_;           ///< of the modes at the assembled place
-  std::vector<std::array<double, 2>> drag_; ///< derivative of the friction by the normal force
+  /// Compliance at the assembled position, of the columns in `assembled_` [column][row] [m/N].
+  std::vector<float> compliance_;
+  std::vector<char> assembled_; ///< true for the columns of `compliance_` that are set
+  std::vector<double> own_;     ///< diagonal of the compliance [3 cells] [m/N]
+  /// Diagonals of the mean compliance and of each mode [1 + modes][3 cells].
+  std::vector<float> diagonals_;
+  std::vector<double> before_; ///< surface displacements at the beginning of the step [3 cells] [m]
+  std::vector<double> amplitude_; ///< amplitudes of the compliance modes at the assembled position
+  /// Derivative of the tangential force by the normal force [cell].
+  std::vector<std::array<double, 2>> drag_;
   std::vector<char> slips_;
   NormalCorrection correction_;
   TangentialCorrection tangential_;
-  double largest_ = 0, total_ = 0; ///< normal force of a cell, and of all [N]
+  double largest_ = 0, total_ = 0; ///< largest normal force of a cell, and sum over all cells [N]
   std::vector<std::size_t> touching_;
   std::vector<float> from_gaps_, from_indentation_;
-  // The last step, for its derivatives.
+  // Last step, for the derivatives.
   bool stepped_ = false;
   double time_step_ = 0;
   std::array<double, 2> travel_{};
   double turn_ = 0;
   std::vector<double> memory_before_;
-  /// Derivatives of each force of a cell by each motion, and those of the surfaces, or what of
-  /// their equations is missed.
+  /// Derivatives of the cell forces by each motion, and those of the surface displacements, which
+  /// `stiffness` replaces by the residuals of the equations [motion][3 cells].
   std::vector<double> force_by_motion_, surface_by_motion_;
 };
 
-/// The friction law of a skin with a coefficient. Throws where there is none of its name.
+/// Friction law of a trained skin, with another coefficient of friction [1]. Throws where no law
+/// has its name or a parameter is unknown.
 laws::Friction friction_of(const SkinData& data, double coefficient);
 
 } // namespace ionskin::live

@@ -5,23 +5,25 @@
 
 namespace ionskin::live {
 
-/// Weights that take a first-order state, dy/dt = rate (drive - y), over a step in which the drive
-/// is linear, exactly.
+/// Weights that advance a first-order state, dy/dt = rate (drive - y), over a time step in which
+/// the drive is linear in time. The result is exact.
 struct LowPass {
-  double decay = 1; ///< of the state
+  double decay = 1; ///< weight of the state at the beginning of the step [1]
+  /// Weights of the drive at the beginning and at the end of the step [1].
   double before = 0, now = 0;
 
-  /// Weights of a step.
+  /// Computes the weights for a step.
   /// @param rate [1/s]
-  /// @param step [s]
+  /// @param step duration [s]
   static LowPass over(double rate, double step) noexcept {
     const double z = rate * step, decay = std::exp(-z),
                  mean = z > 1e-8 ? -std::expm1(-z) / z : 1 - z / 2;
     return {decay, mean - decay, 1 - mean};
   }
 
-  /// State at the end of a step.
-  /// @param from, to the input at the begin and at the end of the step
+  /// Advances the state over the step, and returns it at the end.
+  /// @param state at the beginning of the step
+  /// @param from, to drive at the beginning and at the end of the step
   double next(double state, double from, double to) const noexcept {
     return decay * state + before * from + now * to;
   }

@@ -16,100 +16,137 @@
 
 namespace ionskin::live {
 
-/// Flags of a step by `Skin::step`, as bits; 0 where all is well.
+/// Bits of the flags that `Skin::step` returns; their sum is 0 for a valid step within the trained
+/// range.
 namespace flag {
-inline constexpr std::uint32_t outside_place = 1; ///< taken to the nearest trained place
-inline constexpr std::uint32_t outside_load =
-    2; ///< heavier or deeper than trained: the heaviest or deepest trained one was taken
-inline constexpr std::uint32_t outside_speed = 4; ///< faster than trained
-inline constexpr std::uint32_t unconverged = 8;   ///< residual above 1e-3: the step is a rough one
-/// NaN, infinity, or a time before the last: nothing has moved, the signals are the last ones.
+/// Position outside the trained rectangle: the nearest position in it was used.
+inline constexpr std::uint32_t outside_place = 1;
+/// Force or indentation above the trained one, and the largest trained one was used; or a height
+/// whose force exceeds the trained one.
+inline constexpr std::uint32_t outside_load = 2;
+inline constexpr std::uint32_t outside_speed = 4; ///< slide or spin faster than trained
+/// Contact residual above 1e-3: the result is rough.
+inline constexpr std::uint32_t unconverged = 8;
+/// Step refused, as an input is NaN or infinite, the yaw exceeds `most_turned`, or the time is
+/// before that of the last step. The state is unchanged, and the signals are those of the last
+/// step.
 inline constexpr std::uint32_t refused = 16;
-inline constexpr std::uint32_t pulled = 32; ///< a negative force: no skin pulls, it is detached
-/// Steeper than trained, or turned about z though the underside does not turn into itself: the
-/// nearest tilt that was trained, or no turn, was taken.
+/// Negative force given: the skin cannot pull, and the slider detaches.
+inline constexpr std::uint32_t pulled = 32;
+/// Tilt steeper than trained: the steepest trained one in that direction was used. Also a yaw of a
+/// slider whose underside is not rotationally symmetric about z: no yaw was used.
 inline constexpr std::uint32_t outside_pose = 64;
+/// All bits together.
 inline constexpr std::uint32_t all = 2 * outside_pose - 1;
 } // namespace flag
 
-/// Largest yaw of a step: more turns than a slider makes, with digits left for a small one [rad].
+/// Largest magnitude of the yaw that a step accepts [rad]: more turns than a slider makes, while
+/// double precision still resolves small changes.
 inline constexpr double most_turned = 1e6;
 
-/// The reduced skin: asked step by step where the slider is and how it presses, it tells forces,
-/// charges and currents. After construction nothing is allocated and nothing is thrown. Each thread
-/// takes a skin of its own; they may share the data, and copies share tables too.
+/// Reduced-order model of a skin, stepped in real time: each step takes the position and load of
+/// the slider, and returns forces, charges and currents. No function allocates or throws after
+/// construction, except `set_friction`. One thread at a time may use a `Skin`; several may share
+/// one `SkinData`, and copies share tables too.
 class Skin {
 public:
-  /// @param data outlives this
+  /// Makes a skin at rest without contact.
+  /// @param data the trained model; must outlive the skin
   explicit Skin(const SkinData& data);
 
-  /// Names of the signals, with those of signals.csv and taxels.csv [SI units].
+  /// Names of the signals, in the order in which a step writes them, as in signals.csv and
+  /// taxels.csv; all signals are in SI units.
   const std::vector<std::string>& names() const { return names_; }
 
-  /// Steps the skin to an instant, with the slider at a place and a height or under a force.
-  /// @param time [s]; of the first step any. Currents are means since the step before.
-  /// @param place of the slider's centre [m]
-  /// @param is_force whether `value` is the normal force of the whole skin [N], 0 or less for none,
-  /// or the height of the underside above the undeformed top face [m], negative when it indents
-  /// @param signals [names().size()]
-  /// @returns flags
+  /// Advances the skin to an instant, with the slider at a position and at a given height or under
+  /// a given force. The first overload takes an upright slider.
+  /// @param time [s], not before that of the last step; any at the first step. Currents are means
+  /// over the time since the last step.
+  /// @param place position of the slider's centre along x and y [m]
+  /// @param is_force true if `value` is the normal force on the whole skin [N], with 0 or less for
+  /// no contact; false if it is the height of the lowest point of the underside above the
+  /// undeformed top face [m], negative when it indents
+  /// @param signals receives the signals, in the order of `names()` [names().size()]
+  /// @returns sum of the bits in `flag`, 0 for a valid step
   std::uint32_t step(double time, const std::array<double, 2>& place, bool is_force, double value,
                      std::span<double> signals) noexcept {
     return step(time, place, Angles(), is_force, value, signals);
   }
-  /// Roll, pitch and yaw, docs/model.md (77) [rad].
+  /// Roll, pitch and yaw of the slider, docs/model.md (77) [rad].
   using Angles = std::array<double, 3>;
+  /// Advances the skin as the overload above does, with a slider that is tilted and turned.
+  /// @param angles roll, pitch and yaw of the slider [rad]
   std::uint32_t step(double time, const std::array<double, 2>& place, const Angles& angles,
                      bool is_force, double value, std::span<double> signals) noexcept;
 
-  /// Derivative of the last step's wrench on the whole skin by a motion of the slider,
-  /// [forces along x, y, z, moments about x, y, z][ways along x, y, z, turns about x, y, z]:
-  /// docs/model.md (80). Of a half skin, those by ways along y and turns about x and z are NaN.
-  /// @returns false, and NaN, where no step led to this state, or the equations were not solved
+  /// Computes the derivative of the wrench on the whole skin, at the end of the last step, by a
+  /// rigid motion of the slider, docs/model.md (80). Of a skin that is modelled as one symmetric
+  /// half, the derivatives by translation along y and rotation about x and z are unknown, and NaN.
+  /// @param matrix receives [forces along x, y, z (N), moments about x, y, z (N m)][translations
+  /// along x, y, z (m), rotations about x, y, z (rad)]
+  /// @returns true, with zeros if nothing touches; false, with all entries NaN, if no step led to
+  /// the present state or the equations were not solved
   bool stiffness(std::span<double, 36> matrix) noexcept;
 
-  /// Charges among the signals, in their order: of top, of bottom, of the top of each taxel.
+  /// Number of charges among the signals, which are, in this order, those of the top electrode, of
+  /// the bottom electrode, and of each taxel on top.
   std::size_t charges() const { return sides + regions_ - 1; }
-  /// Derivatives of the last step's charges by a motion of the slider, as `stiffness` has it:
-  /// [charges()][motions] [C/m], [C/rad], docs/model.md (82). NaN where `stiffness` has it.
-  /// @returns false, and NaN, where `stiffness` is not known
+  /// Computes the derivatives of the charges, at the end of the last step, by the rigid motions of
+  /// the slider that `stiffness` describes, docs/model.md (82). Entries are NaN for the motions for
+  /// which those of `stiffness` are.
+  /// @param matrix receives [charge][motion] [C/m] for translations, [C/rad] for rotations;
+  /// charges() * 6 numbers
+  /// @returns true or false, with all entries NaN, as `stiffness` does
   bool charge_derivatives(std::span<double> matrix) noexcept;
 
-  /// Sets another coefficient of friction, of the slider that touches now; it is not part of the
-  /// state, and takes memory.
-  /// @returns whether it is within the trained range; if not nothing changes
+  /// Sets the coefficient of friction [1] of the next steps. The coefficient is not part of the
+  /// state. Allocates memory.
+  /// @returns false, with nothing changed, if it is outside the trained range
   bool set_friction(double coefficient);
+  /// Coefficient of friction of the next step [1].
   double friction() const { return contact_.friction(); }
 
-  /// Back to a detached skin at rest.
+  /// Resets the state to that of a skin at rest without contact.
   void reset() noexcept;
-  /// All that passes from step to step.
+  /// State that passes from step to step, for `restore`. Its memory belongs to the skin.
   std::span<const double> state() const { return state_; }
-  /// A step in two parts, between which others set the fields of several skins at once: `press`
-  /// settles the contact, and `tell` takes a lane of the fields unless nothing touches.
+  /// Result of the first part of a step, `press`, for the second part, `tell`. A step has two parts
+  /// so that the strain fields of several skins can be computed together in between: `press` solves
+  /// the contact, and `tell` computes the charges from one lane of the fields.
   struct Pressed {
     std::uint32_t flags = 0;
-    std::array<double, 2> place{}; ///< as used [m]
-    double time_step = 0;          ///< [s]
+    std::array<double, 2> place{}; ///< slider's centre, moved into the trained rectangle [m]
+    double time_step = 0;          ///< since the last step; 0 at the first [s]
+    /// True of the first step after a reset; true if any cell of the contact carries force.
     bool first = false, touches = false;
   };
+  /// First part of a step: checks the inputs, solves the contact, and writes the signals of motion
+  /// and contact. The parameters are those of `step`.
   Pressed press(double time, const std::array<double, 2>& place, const Angles& angles,
                 bool is_force, double value, std::span<double> signals) noexcept;
+  /// Second part of a step, not to be called for a refused step: integrates the strain fields,
+  /// updates the charges, and writes the remaining signals.
+  /// @param pressed result of `press`
+  /// @param fields of the channels, which hold the touch of this skin in `lane`; their values are
+  /// not used if nothing touches
   void tell(const Pressed& pressed, std::span<const ChannelField> fields, std::size_t lane,
             std::span<double> signals) noexcept;
-  /// Place and forces as `ChannelField::set` takes them.
+  /// Position and cell forces of a step, as `ChannelField::set` takes them. The forces are a view
+  /// of the state.
   ChannelField::Touch touch(const Pressed& pressed) const noexcept;
+  /// Fields of the channels of the core, in the order of `SkinData::channels`.
   std::span<const ChannelField> fields() const { return fields_; }
-  /// Exchanges state and friction with those of another skin of the same file, without memory.
+  /// Swaps state and friction law with another skin of the same file, without allocating.
+  /// @param state [state().size()]
   void exchange(std::vector<double>& state, laws::Friction& friction) noexcept;
-  /// Takes up a state of a skin of the same file.
-  /// @returns whether it is one that steps can leave: its size fits, every number is finite and in
-  /// its range; if not nothing changes
+  /// Replaces the state by one that `state` returned for a skin of the same file.
+  /// @returns false, with nothing changed, if no step can leave such a state: its size differs, or
+  /// a number is not finite or out of range
   bool restore(std::span<const double> state) noexcept;
 
 private:
-  static constexpr std::size_t sides = 2; ///< of a region: top, bottom
-  /// Places of single numbers in the state.
+  static constexpr std::size_t sides = 2; ///< electrodes of a region: top, bottom
+  /// Indices of the single numbers at the beginning of the state.
   enum Single : std::size_t {
     started,
     last_time,
@@ -122,13 +159,13 @@ private:
     singles
   };
 
-  // The state passes from step to step: skin_state.cpp.
+  // State handling, in skin_state.cpp.
   LiveContact::State contact_state() noexcept;
   bool may_be_state(std::span<const double> state) const noexcept;
   bool is_place(double x, double y) const noexcept;
   LiveContact::Stance stance(const Angles& angles, bool first, bool& outside) const noexcept;
   void add_contact(std::span<double> signals) noexcept;
-  // These functions lead from the strain to the charges: skin_charges.cpp.
+  // Charges from the strain, in skin_charges.cpp.
   template <class IntegrateTo> void set_levels(std::size_t levels, IntegrateTo&& to) noexcept;
   double drive(const ChargeModel& model, std::size_t region, const double* weights) const noexcept;
   void add_charges(double time_step, bool first) noexcept;
@@ -141,22 +178,29 @@ private:
   LiveContact contact_;
   std::vector<std::string> names_;
   std::vector<double> state_;
+  /// Offsets of the parts of the state: cell forces, surface displacements, memory of friction,
+  /// states and last drives of the charges, waves, charges and signals of the last step.
   std::size_t force_ = 0, surface_ = 0, memory_ = 0, filters_ = 0, drives_ = 0, waves_ = 0,
               charges_ = 0, signals_ = 0;
-  std::size_t regions_;
-  /// Different corners of the core and of the taxels, and those of each region: x low and y low,
-  /// high and low, low and high, both high.
+  std::size_t regions_; ///< number of regions: the core and the taxels
+  /// Distinct corners of the core and of the taxels, x and y [m].
   std::vector<std::array<double, 2>> corners_;
+  /// Indices in `corners_` of the corners of each region: low x and low y, high and low, low and
+  /// high, high and high. Region 0 is the core; the taxels follow.
   std::vector<std::array<std::size_t, 4>> region_corners_;
-  std::vector<double> region_share_; ///< of the core's area
+  /// Area of each region over the area of the core [1].
+  std::vector<double> region_share_;
   std::vector<ChannelField> fields_;
   ChargeSpread spread_;
-  std::vector<double> corner_levels_; ///< [corner][level]
-  std::vector<LowPass> passes_;       ///< of the rates over the step
+  std::vector<double> corner_levels_; ///< integrals of a channel up to each corner [corner][level]
+  std::vector<LowPass> passes_;       ///< low-pass weights of the step [rate]
+  /// Work arrays: integrals of a channel [region][level], charges [region][top, bottom] [C],
+  /// pressures of the cells [Pa], drives of the waves [C].
   std::vector<double> levels_, charge_, pressure_, wave_drive_;
-  Pressed last_;                     ///< the last step, for its derivatives
-  std::vector<double> charge_slope_; ///< of each output by a motion
-  std::vector<double> wave_slope_;   ///< of the drive of each wave by the place
+  Pressed last_; ///< last step, for the derivatives
+  /// Derivative of the charge of each output by one motion [region][top, bottom] [C/m], [C/rad].
+  std::vector<double> charge_slope_;
+  std::vector<double> wave_slope_; ///< derivative of the drive of each wave by the position
 };
 
 } // namespace ionskin::live

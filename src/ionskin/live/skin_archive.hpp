@@ -16,15 +16,20 @@
 
 namespace ionskin::live {
 
-/// Throws UserError: the file is of no use.
+/// Throws UserError: the file cannot be used and has to be trained again.
+/// @param what message: the file, and what is wrong with it
 [[noreturn]] inline void refuse(const std::string& what) {
   throw UserError(what + "\n  = make it again: ionskin live CASE.toml -o FILE");
 }
 
-/// Every entry: its name, its size in bytes as 8 bytes, its bytes.
+/// Serialises a `SkinData` into the bytes of a `.live` file, as a sequence of entries: name and
+/// line end, size in bytes (8 bytes), bytes.
 class Writer {
 public:
+  /// Starts with the file's first line.
   explicit Writer(std::string_view begin) : bytes(begin) {}
+  /// Appends a number, a string, a list of numbers, or a list of strings, which are joined by line
+  /// ends.
   template <class T> void entry(const std::string& name, const T& value) {
     if constexpr (std::is_arithmetic_v<T>) {
       put(name, &value, sizeof value);
@@ -38,7 +43,8 @@ public:
       put(name, value.data(), value.size() * sizeof value[0]);
     }
   }
-  /// Symmetric matrices one after the other: of each only the rows up to the diagonal.
+  /// Appends symmetric matrices: of each, only the rows up to the diagonal.
+  /// @param matrices [matrix][size][size]
   void symmetric(const std::string& name, const std::vector<float>& matrices, std::size_t size) {
     std::vector<float> packed;
     for (std::size_t at = 0; at < matrices.size(); at += size) {
@@ -48,10 +54,11 @@ public:
     }
     entry(name, packed);
   }
-  /// The number of elements of a list of structs, which follow.
+  /// Appends the number of elements of a list of structs, whose entries follow.
   template <class T> void list(const std::string& name, const std::vector<T>& values) {
     entry(name, static_cast<std::uint64_t>(values.size()));
   }
+  /// Content so far.
   std::string bytes;
 
 private:
@@ -62,11 +69,17 @@ private:
   }
 };
 
-/// Takes the same entries in the same order. Throws UserError where they are others.
+/// Reads the entries of a `Writer` in the order in which they were written. Every function throws
+/// UserError where the next entry has another name or does not fit.
 class Reader {
 public:
+  /// Starts at the first entry.
+  /// @param bytes must outlive the reader
+  /// @param path of the file, for messages
   Reader(std::string_view bytes, std::string path) : rest_(bytes), path_(std::move(path)) {}
 
+  /// Reads an entry into a number, a string, a list of strings, or a list of finite numbers. An
+  /// array with a fixed size must match.
   template <class T> void entry(const std::string& name, T& value) {
     const std::string_view data = take(name);
     if constexpr (std::is_arithmetic_v<T>) {
@@ -96,6 +109,7 @@ public:
       }
     }
   }
+  /// Reads symmetric matrices into full ones [matrix][size][size].
   void symmetric(const std::string& name, std::vector<float>& matrices, std::size_t size) {
     std::vector<float> packed;
     entry(name, packed);
@@ -111,12 +125,14 @@ public:
       }
     }
   }
+  /// Reads the number of elements of a list of structs, at most 1000, and resizes the list.
   template <class T> void list(const std::string& name, std::vector<T>& values) {
     std::uint64_t count = 0;
     entry(name, count);
     require(count <= 1000, name);
     values.resize(count);
   }
+  /// Throws UserError, with the name of the entry, unless `fits`.
   void require(bool fits, const std::string& name) const {
     if (!fits) {
       refuse(path_ + ": entry " + name + " does not fit the others");

@@ -8,19 +8,26 @@
 
 namespace ionskin::readout {
 
-// Columns of circuit.csv: what stands at the terminals of the readout circuit.
+// Columns of circuit.csv: voltage, current and charge at the terminals of the readout circuit.
 
-/// Half the difference of the electrodes' charges: the charge that has passed between them [C].
+/// Half the difference of the charges of top and bottom electrode, which is the charge that has
+/// passed between them [row] [C].
+/// @param charge_top, charge_bottom [row] [C]
 std::vector<double> charge_difference(const std::vector<double>& charge_top,
                                       const std::vector<double>& charge_bottom);
 
-/// Circuits that leave the potentials free: time, voltage (phi_top - phi_bottom, at the row),
-/// current (difference current, mean over the step that ends at the row) and charge (difference
-/// charge).
+/// Columns of circuit.csv for a circuit that leaves the potentials free: time, voltage (phi_top -
+/// phi_bottom, at the row), current (mean of the difference current over the step that ends at the
+/// row), charge (half the difference).
+/// @param time [row] [s]
+/// @param voltage of the top electrode against the bottom one [row] [V]
+/// @param charge as `charge_difference` returns it [row] [C]
 SignalTable terminal_signals(const std::vector<double>& time, const std::vector<double>& voltage,
                              const std::vector<double>& charge);
 
-/// Instrument: time, current (its reading, at the row) and charge (integral of the reading).
+/// Columns of circuit.csv for an instrument: time, current (its reading, at the row), charge
+/// (integral of the reading).
+/// @param time [row] [s]
 SignalTable instrument_signals(const std::vector<double>& time,
                                const circuits::InstrumentReading& reading);
 

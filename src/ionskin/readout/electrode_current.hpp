@@ -5,21 +5,26 @@
 
 namespace ionskin::readout {
 
-/// Currents of the two electrodes, one entry per row [A]. A current is the mean over the step that
-/// ends at its row; row 0 has no step, so it is 0 and an initial impulse stands in the charge.
+/// Currents of the two electrodes [row] [A]. Each value is the mean over the step that ends at the
+/// row; row 0 has no step and is 0, so that an initial impulse appears in the charge only.
 struct ElectrodeCurrents {
   std::vector<double> top, bottom;
-  std::vector<double> difference; ///< (top - bottom) / 2: what an ammeter between them carries
-  std::vector<double> common;     ///< (top + bottom) / 2: what only a third conductor can supply
+  /// (top - bottom) / 2: current of an ammeter between the electrodes.
+  std::vector<double> difference;
+  std::vector<double> common; ///< (top + bottom) / 2: only a third conductor can supply it
 };
 
-/// Mean rate of change over the step that ends at each row, 0 in row 0 [unit of `quantity` / s].
-/// @param time [s], strictly ascending
+/// Mean rate of change of a quantity over the step that ends at each row; 0 in row 0, or NaN if the
+/// quantity is NaN there [row] [unit of `quantity` / s].
+/// @param time [row] [s], strictly ascending
+/// @param quantity [row]
 std::vector<double> step_rates(const std::vector<double>& time,
                                const std::vector<double>& quantity);
 
-/// I = dQ/dt of each electrode and both parts, docs/model.md (25), (28), exact as means over steps.
-/// @param charge_top, charge_bottom charge on the metal [C]
+/// Computes the current I = dQ/dt of each electrode, and its difference and common part, as exact
+/// means over steps, docs/model.md (25), (28).
+/// @param time [row] [s], strictly ascending
+/// @param charge_top, charge_bottom charge on the metal [row] [C]
 ElectrodeCurrents electrode_currents(const std::vector<double>& time,
                                      const std::vector<double>& charge_top,
                                      const std::vector<double>& charge_bottom);

@@ -11,8 +11,8 @@
 namespace ionskin::readout {
 namespace {
 
-// Integral over the run of what `of_step(row)` gives as the mean over the step ending at a row,
-// divided by the duration.
+// Mean over the run of a quantity whose mean over the step that ends at a row is `of_step(row)`; 0
+// for fewer than two rows.
 template <class StepMean>
 double mean_over_steps(const std::vector<double>& time, const StepMean& of_step) {
   if (time.size() < 2) {
@@ -94,7 +94,7 @@ std::vector<Metric> signal_metrics(const SignalTable& signals, const SignalTable
     add_motion_metrics(list, *instants);
   }
   const std::vector<double>& shear = signals.column("mean_shear").values;
-  // A history of pressure alone has none, and a 0 would say that nothing is sheared.
+  // A history of pressure alone has no shear, and a 0 would say that nothing is sheared.
   if (!std::ranges::all_of(shear, [](double value) { return std::isnan(value); })) {
     list.peak("peak_", signals, "mean_shear");
     list.add("time_mean_shear", time_mean(list.time(), shear), "1");

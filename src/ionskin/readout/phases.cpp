@@ -7,7 +7,7 @@
 namespace ionskin::readout {
 namespace {
 
-// Event times are sums of durations: their rounding must not push them into the next phase.
+// Event times are sums of durations. Their rounding errors must not move them into the next phase.
 constexpr double relative_rounding = 1e-10;
 
 std::optional<SliderLevel> given_level(const MotionLeg& leg, double since_begin, double rounding) {

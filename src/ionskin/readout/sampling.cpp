@@ -14,7 +14,8 @@
 namespace ionskin::readout {
 namespace {
 
-// Keeps the last interval when rounding makes the run a hair shorter than a whole number of them.
+// Tolerance in intervals that keeps the last one when rounding makes the run slightly shorter than
+// a whole number of intervals.
 constexpr double interval_rounding = 1e-9;
 
 std::vector<double> values_at(const std::vector<double>& time, const std::vector<double>& quantity,
@@ -27,7 +28,7 @@ std::vector<double> values_at(const std::vector<double>& time, const std::vector
   return values;
 }
 
-/// Start of the run and the end of every interval that it completes.
+/// Start of the run, then the end of every interval that the run completes [s].
 std::vector<double> interval_ends(const std::vector<double>& time, double interval) {
   const double start = time.front();
   const auto count =
@@ -39,12 +40,12 @@ std::vector<double> interval_ends(const std::vector<double>& time, double interv
   return instants;
 }
 
-/// Integral since the first row of a quantity that is linear between the rows, at the instants.
+/// Integrals from the first row to some instants, of a quantity that is linear between the rows.
 std::vector<double> integral_at(const std::vector<double>& time,
                                 const std::vector<double>& quantity,
                                 const std::vector<double>& instants) {
   std::vector<double> result;
-  double whole = 0; // up to the row before the instant
+  double whole = 0; // integral up to the row before the instant
   std::size_t row = 0;
   for (const double instant : instants) {
     while (row + 1 < time.size() && time[row + 1] <= instant) {
@@ -65,7 +66,7 @@ std::vector<double> rates(const std::vector<double>& instants, const std::vector
   return result;
 }
 
-// Drops the first row, which has no interval.
+// Column of currents without the first row, which has no interval.
 Signal interval_means(const std::string& name, const std::vector<double>& currents) {
   return {name, "A", {currents.begin() + 1, currents.end()}};
 }

@@ -99,7 +99,7 @@ SignalTable build_signal_table(const SignalInputs& inputs) {
       required("charge_bottom", "C", inputs.charge_bottom, rows),
   };
   add_currents(table, inputs);
-  // Behind those that came first, whose places scripts may know.
+  // Appended after the older columns, so that scripts which count columns still work.
   table.columns.push_back(optional("slider_y", "m", inputs.slider_y, rows));
   table.columns.push_back(optional("contact_area", "m2", inputs.contact_area, rows));
   table.columns.push_back(optional("stick_share", "1", inputs.stick_share, rows));

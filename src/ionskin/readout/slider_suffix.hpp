@@ -6,9 +6,9 @@
 
 namespace ionskin::readout {
 
-/// End of the names of what belongs to one slider of several, in signals, figures and files: none
-/// for the first, "_2" for the second.
-/// @param slider place in the list of the case, from 0
+/// Suffix of the names of signals, quantities and files that belong to one of several sliders:
+/// empty for the first slider, "_2" for the second.
+/// @param slider index in the list of the case, from 0
 inline std::string slider_suffix(std::size_t slider) {
   return slider == 0 ? "" : "_" + std::to_string(slider + 1);
 }

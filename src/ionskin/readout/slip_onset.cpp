@@ -11,11 +11,11 @@ struct Point {
   double time = 0, share = 0;
 };
 
-/// The stuck share over the slide, from where it touches to where it leaves.
+/// Sticking share over the slide, from first contact until the contact is lost.
 std::vector<Point> stuck_over(const std::vector<double>& time, const std::vector<double>& area,
                               const std::vector<double>& stick_share,
                               const std::array<double, 2>& slide) {
-  // Instants of the motion are sums of durations.
+  // Instants of the motion are sums of durations, with rounding errors.
   const double rounding = 1e-12 * time.back();
   std::vector<Point> points;
   for (std::size_t i = 0; i < time.size(); ++i) {
@@ -31,7 +31,7 @@ std::vector<Point> stuck_over(const std::vector<double>& time, const std::vector
   return points;
 }
 
-/// Instant at which the share falls to a level between two points.
+/// Instant at which the share falls to a level, by linear interpolation between two points [s].
 double passed_at(const Point& before, const Point& after, double level) {
   return before.time +
          (after.time - before.time) * (before.share - level) / (before.share - after.share);

@@ -10,7 +10,7 @@
 namespace ionskin::readout {
 namespace {
 
-/// The rows between two instants, with both.
+/// Instants of the rows between two instants, with these two at the ends [s].
 std::vector<double> instants_between(const std::vector<double>& time, double from, double to) {
   std::vector<double> instants{from};
   for (const double instant : time) {
@@ -22,7 +22,7 @@ std::vector<double> instants_between(const std::vector<double>& time, double fro
   return instants;
 }
 
-/// Sums of pairs that last for a while.
+/// Pearson correlation of pairs of values, each weighted with its duration.
 class Correlation {
 public:
   void add(double x, double y, double duration) {
@@ -42,7 +42,7 @@ private:
   double weight_ = 0, mean_x_ = 0, mean_y_ = 0, xx_ = 0, yy_ = 0, xy_ = 0;
 };
 
-/// Charge and stuck share at any instant.
+/// Charge and sticking share, linear between the rows.
 struct Rows {
   const std::vector<double>&time, &charge, &share;
 

@@ -8,32 +8,33 @@
 
 namespace ionskin::readout {
 
-/// Number of times the noise of a reading by which a current departs to count as seen.
+/// Threshold for a change of current to count as seen, in multiples of the noise of a reading [1].
 inline constexpr double seen_above_noise = 3;
 
-/// Precursor that one current shows of a slip between its first micro-slip and full slip. A reading
-/// is the charge gained over the last readout interval divided by it, docs/model.md (30), at any
-/// instant: where the readings of a run fall is chance. Readings that hold some of what was before
-/// the slide do not count.
+/// Precursor of slip in one current: its change between the first micro-slip and full slip. A
+/// reading is the charge gained over the last readout interval divided by the interval,
+/// docs/model.md (30), taken at any instant, since it is chance where the readings of a run fall.
+/// Readings that contain charge from before the slide do not count.
 struct SlipPrecursor {
-  /// The largest, of a reading from the first that counts [A]; none where none does.
+  /// Largest departure of a reading from the first one that counts [A]; empty if none counts.
   std::optional<double> departure;
-  /// Time from where the reading has departed by `seen_above_noise` times the noise to full slip
-  /// [s]; none where it never does.
+  /// Time from the instant at which a reading departs by `seen_above_noise` times the noise until
+  /// full slip [s]; empty if none does.
   std::optional<double> lead_time;
-  double charge = 0; ///< the largest that has passed since the first micro-slip [C]
-  /// Pearson's coefficient of the current with the stuck share, weighted by time; none where one of
-  /// them does not change.
+  /// Largest charge that has passed since the first micro-slip, by magnitude [C].
+  double charge = 0;
+  /// Pearson's correlation coefficient of current and sticking share, weighted by time [1]; empty
+  /// where one of them does not change.
   std::optional<double> correlation;
 };
 
-/// Precursor of a slide in the record of one current.
+/// Computes the precursor of slip from the record of one current.
 /// @param time of the rows [s]
-/// @param charge of the current [C], linear between the rows
-/// @param stick_share at the rows
-/// @param onset with full slip
+/// @param charge integral of the current, linear between the rows [row] [C]
+/// @param stick_share sticking share of the contact area, 0 to 1 [row]
+/// @param onset of slip; must include full slip
 /// @param interval of the readout [s]
-/// @param noise rms of a reading [A]
+/// @param noise rms noise of a reading [A]
 SlipPrecursor slip_precursor(const std::vector<double>& time, const std::vector<double>& charge,
                              const std::vector<double>& stick_share, const SlipOnset& onset,
                              double interval, double noise);

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double spike_relaxations = 8;
 
-/// Time for which a spike hides the tail behind it [s].
+/// Duration after an event for which its spike hides the tail of the current [s].
 double spike_duration(const std::vector<double>& events, double relaxation_time) {
   double longest = 0;
   for (std::size_t i = 1; i < events.size(); ++i) {

@@ -14,7 +14,7 @@ namespace ionskin::readout {
 namespace {
 
 constexpr const char* current_prefix = "current_top_";
-constexpr const char* rest_name = "rest"; // what no taxel covers
+constexpr const char* rest_name = "rest"; // part of the electrode that no taxel covers
 
 void add_circuits(const std::vector<double>& time, const std::vector<TaxelCharge>& taxels,
                   SignalTable& table) {
@@ -36,7 +36,8 @@ void add_circuits(const std::vector<double>& time, const std::vector<TaxelCharge
   }
 }
 
-/// Half of the top charges plus `sign` times the bottom ones.
+/// Adds columns for half of the top charges plus `sign` times the bottom charges: currents of all
+/// taxels, then charges.
 void add_part(const std::vector<double>& time, const std::vector<TaxelCharge>& taxels,
               const std::string& part, double sign, SignalTable& table) {
   std::vector<Signal> charges;

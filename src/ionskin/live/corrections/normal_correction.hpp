@@ -7,25 +7,30 @@
 
 namespace ionskin::live {
 
-/// Newton's step for the normal forces of the cells that touch, dense and without pivots: the
-/// normal compliance is positive definite, and friction adds little to it. Single precision, since
-/// sweeps follow that take the remaining residual. Nothing is allocated after construction.
+/// Newton step for the normal forces of the cells in contact: LU factors of the dense normal
+/// compliance, without pivoting, as the matrix is positive definite and friction adds little to it.
+/// Single precision, since the Gauss-Seidel sweeps that follow remove the remaining residual.
+/// Nothing is allocated after construction.
 class NormalCorrection {
 public:
+  /// Reserves memory for contacts of at most `cells` cells.
   explicit NormalCorrection(std::size_t cells);
 
-  /// True if `factor` was last called for these cells since `forget`.
+  /// True if the factors are those of exactly these cells, and `forget` was not called since.
   bool is_of(std::span<const std::size_t> cells) const noexcept;
+  /// Discards the factors.
   void forget() noexcept { count_ = 0; }
-  /// Takes the cells; then `column(j)` is to be filled with the normal displacements of all of them
-  /// for a unit normal force, and its friction, on cell j, before `factor`.
+  /// Begins a matrix for some cells. The caller then fills every `column(j)`, and calls `factor`.
+  /// @param cells indices of the cells in contact
   void take(std::span<const std::size_t> cells) noexcept;
+  /// Column j of the matrix, to be filled: normal displacements of all cells under a unit normal
+  /// force on cell j and the friction that goes with it [m/N].
   std::span<float> column(std::size_t j) noexcept { return {matrix_.data() + j * count_, count_}; }
-  /// Factorises the matrix of the columns that were filled.
-  /// @returns false when the matrix is none of a contact; it is forgotten then
+  /// Factorises the matrix.
+  /// @returns false, with the factors discarded, if a pivot is not positive
   bool factor() noexcept;
-  /// Solves for the forces on the cells, in place.
-  /// @param values displacements in, forces out
+  /// Solves for the normal forces on the cells, in place.
+  /// @param values displacements of the cells in [m], forces out [N]
   void solve(std::span<float> values) const noexcept;
 
 private:

@@ -7,19 +7,20 @@
 
 namespace ionskin::live {
 
-/// The promise of a live skin: largest rms error of a signal over an event, of the largest value
-/// of the signal within such events [1].
+/// Promised accuracy of a reduced-order skin: largest rms error of a signal over an event of the
+/// touches, relative to the largest value of the signal within such events [1].
 inline constexpr double promised_error = 0.1;
 
-/// Largest moment that counts as 0: rounding and sweeps leave so much of one that symmetry forbids
-/// [N m].
+/// Moment below which a signal counts as 0, since rounding and the contact's residual leave that
+/// much of a moment that symmetry forbids [N m].
 double least_moment(const SkinData& data);
 
-/// Leaves out the errors of moments that stay below `least_moment`: there is nothing to compare.
+/// Removes from the model the errors of moments that stay below `least_moment`, as there is no
+/// signal to compare.
 void leave_out_no_moments(SkinData& data);
 
-/// One line on the signals and events whose stated errors are above the promise, the worst first;
-/// empty where all keep it.
+/// One line that lists the signals and events whose reported errors exceed `promised_error`,
+/// largest first; empty if there is none.
 std::string shortfall(const SkinData& data);
 
 } // namespace ionskin::live

@@ -7,11 +7,12 @@
 
 namespace ionskin::live::fmu {
 
-/// Writes an FMU for co-simulation by FMI 2.0: the description, the skin's file and the library
-/// that steps it. Appears under its name when it is whole. The same skin gives the same bytes.
-/// Throws base::UnwritableFile, and UserError when the library cannot be read.
-/// @param path its stem becomes the name of the model
-/// @param library the program's own, `ionskin_live_fmu.so`
+/// Writes an FMU (zip archive) for co-simulation by FMI 2.0: model description, `.live` file of the
+/// skin, and the library that steps it. The file appears under its name only when complete. The
+/// same skin gives the same bytes. Throws base::UnwritableFile, and UserError when the library
+/// cannot be read.
+/// @param path of the FMU; its stem becomes the name of the model
+/// @param library path of `ionskin_live_fmu.so`, which is part of ionskin
 void write_fmu(const std::filesystem::path& path, const SkinData& data,
                const std::filesystem::path& library);
 

@@ -11,7 +11,8 @@
 
 namespace ionskin::live::fmu {
 
-/// Handle of an importer: an instance, and the callback that receives its error messages.
+/// Object behind an importer's handle: an instance of the FMU, and the callbacks that receive its
+/// messages.
 struct Component {
   Component(std::string name, const fmi2CallbackFunctions& functions, SkinData data)
       : instance_name(std::move(name)), callbacks(functions), instance(std::move(data)) {}
@@ -20,7 +21,9 @@ struct Component {
   Instance instance;
 };
 
-/// Tells the importer. Nothing happens without callbacks.
+/// Sends a message to the importer's logger; does nothing without one.
+/// @param callbacks may be null
+/// @param instance name of the instance
 /// @param category "logStatusError", "logStatusDiscard" or "logStatusWarning"
 void log(const fmi2CallbackFunctions* callbacks, const char* instance, fmi2Status status,
          const char* category, std::string_view message);
@@ -28,13 +31,16 @@ inline constexpr const char* error_category = "logStatusError";
 inline constexpr const char* discard_category = "logStatusDiscard";
 inline constexpr const char* warning_category = "logStatusWarning";
 
-/// Tells the importer of an error. @returns fmi2Error
+/// Sends an error message to the importer.
+/// @returns fmi2Error
 fmi2Status fail(const Component& component, const char* message);
 
-/// Hands the importer a warning. @returns fmi2Warning
+/// Sends a warning to the importer.
+/// @returns fmi2Warning
 fmi2Status warn(const Component& component, const char* message);
 
-/// Calls `body` with the component, when there is one.
+/// Calls `body` with the component behind a handle and its instance, and returns its status.
+/// Returns fmi2Error for a null handle; an exception becomes an error message.
 template <class Body> fmi2Status with(fmi2Component component, Body&& body) {
   if (component == nullptr) {
     return fmi2Error;

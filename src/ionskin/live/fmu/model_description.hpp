@@ -7,14 +7,15 @@
 
 namespace ionskin::live::fmu {
 
-/// Name of the library inside an FMU, without its ending.
+/// Name of the library inside the FMU, without its file extension.
 inline constexpr const char* model_identifier = "ionskin_live";
 
-/// Identifier by which a library knows that the description beside it is that of its skin: the
-/// digest of the skin's file in braces.
+/// GUID of the FMU, by which the library recognises that the model description belongs to its skin:
+/// digest of the `.live` file, in braces.
 std::string guid(const SkinData& data);
 
-/// The text of modelDescription.xml. @param name of the model, as importers show it
+/// Text of modelDescription.xml.
+/// @param name of the model, as importers show it
 std::string model_description(const SkinData& data, const std::string& name);
 
 } // namespace ionskin::live::fmu

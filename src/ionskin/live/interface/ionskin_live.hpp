@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-/// The reduced skin for controllers in C++17 and later: a class around the C interface, header
-/// only, to be linked with libionskin_live. SI units.
+/// C++17 interface of the reduced-order skin, for controllers: a header-only class around the C
+/// interface, to be linked with libionskin_live. SI units.
 
 #include <ionskin_live.h>
 
@@ -17,34 +17,37 @@
 
 namespace ionskin_live {
 
-/// Height of the slider's underside above the undeformed top face, negative when it indents [m].
+/// Load of a step as a held height: that of the slider's underside above the undeformed top face,
+/// negative when it indents [m].
 struct Height {
   double value;
 };
-/// Normal force, 0 for none [N].
+/// Load of a step as a held normal force on the skin, 0 for no contact [N].
 struct Force {
   double value;
 };
 
-/// Result of a step: a value for each of `Skin::names()`, and flags, 0 where all is well
-/// (IONSKIN_LIVE_OUTSIDE_PLACE and the others).
+/// Result of a step: one value for each of `Skin::names()`, and the sum of flag bits such as
+/// IONSKIN_LIVE_OUTSIDE_PLACE, 0 for a valid step within the trained range.
 struct Signals {
   std::vector<double> values;
   std::uint32_t flags = 0;
 
   double operator[](std::size_t signal) const noexcept { return values[signal]; }
-  /// True if a step lies outside the trained range, in place, load, speed or pose.
+  /// True if the position, load, speed or pose was outside the trained range.
   bool outside() const noexcept {
     return (flags & (IONSKIN_LIVE_OUTSIDE_PLACE | IONSKIN_LIVE_OUTSIDE_LOAD |
                      IONSKIN_LIVE_OUTSIDE_SPEED | IONSKIN_LIVE_OUTSIDE_POSE)) != 0;
   }
 };
 
-/// A reduced skin. After construction `step`, `save`, `restore` and `reset` take no memory and
-/// throw nothing. One thread at a time steps it; copies share what the file holds.
+/// Reduced-order skin with its state, stepped in real time. After construction, `step`, `save`,
+/// `restore` and `reset` allocate nothing and throw nothing. One thread at a time may use a skin;
+/// copies share the data of the file.
 class Skin {
 public:
-  /// Throws std::runtime_error, with the reason, when the file cannot be used.
+  /// Opens a `.live` file, as a skin at rest without contact. Throws std::runtime_error, with the
+  /// reason, when the file cannot be used.
   explicit Skin(const std::string& path) : handle_(open(path), ionskin_live_close) { take_names(); }
   /// Makes another skin of the same file in the same state. Throws std::bad_alloc.
   Skin(const Skin& other)
@@ -59,9 +62,10 @@ public:
   Skin& operator=(const Skin& other) { return *this = Skin(other); }
   ~Skin() = default;
 
-  /// Names of the signals, as in signals.csv and taxels.csv.
+  /// Names of the signals, in the order of `Signals::values`, as in signals.csv and taxels.csv.
   const std::vector<std::string>& names() const noexcept { return names_; }
-  /// Place of a signal. Throws std::out_of_range when there is none of the name.
+  /// Index of a signal in `Signals::values`. Throws std::out_of_range when there is no signal of
+  /// the name.
   std::size_t index(const std::string& name) const {
     for (std::size_t i = 0; i < names_.size(); ++i) {
       if (names_[i] == name) {
@@ -71,10 +75,11 @@ public:
     throw std::out_of_range("the skin has no signal " + name);
   }
 
-  /// Steps the skin to an instant, with the slider at a place and a height or under a force.
-  /// @param time [s], that of the last step or later
-  /// @param position of the slider's centre [m]
-  /// @returns the signals, which the next step replaces
+  /// Advances the skin to an instant, with an upright slider at a position and at a given height or
+  /// under a given force.
+  /// @param time [s], not before that of the last step
+  /// @param position of the slider's centre, x and y [m]
+  /// @returns the signals, which the next step overwrites
   const Signals& step(double time, const std::array<double, 2>& position, Height height) noexcept {
     return step(time, position, {}, IONSKIN_LIVE_HEIGHT, height.value);
   }
@@ -82,7 +87,7 @@ public:
     return step(time, position, {}, IONSKIN_LIVE_FORCE, force.value);
   }
 
-  /// Steps as `step` does a slider that is tilted and turned.
+  /// Advances the skin as the overloads above do, with a slider that is tilted and turned.
   /// @param angles roll, pitch and yaw [rad]
   const Signals& step(double time, const std::array<double, 2>& position,
                       const std::array<double, 3>& angles, Height height) noexcept {
@@ -93,60 +98,67 @@ public:
     return step(time, position, angles, IONSKIN_LIVE_FORCE, force.value);
   }
 
-  /// Derivative of the last step's wrench by a rigid motion of the slider, as
-  /// `ionskin_live_stiffness` tells it [6 forces and moments][6 ways and turns].
-  /// @returns whether it is known; if not it is NaN
+  /// Computes the derivative of the wrench at the end of the last step by a rigid motion of the
+  /// slider, as `ionskin_live_stiffness` does.
+  /// @param values receives [6 forces and moments][6 translations and rotations]
+  /// @returns false, with NaN in all entries, if it is not known
   bool stiffness(std::array<double, 36>& values) noexcept {
     return ionskin_live_stiffness(handle_.get(), values.data()) != 0;
   }
 
-  /// Derivatives of the last step's charges by a rigid motion of the slider, as
-  /// `ionskin_live_charge_derivatives` tells them: [signals whose names begin with charge_][6 ways
-  /// and turns].
-  /// @param values [ionskin_live_charge_count(handle())][6]
-  /// @returns whether they are known; if not they are NaN
+  /// Computes the derivatives of the charges at the end of the last step by a rigid motion of the
+  /// slider, as `ionskin_live_charge_derivatives` does.
+  /// @param values receives [charge, as many as ionskin_live_charge_count(handle())][6 translations
+  /// and rotations]
+  /// @returns false, with NaN in all entries, if they are not known
   bool charge_derivatives(double* values) noexcept {
     return ionskin_live_charge_derivatives(handle_.get(), values) != 0;
   }
 
-  /// Numbers of a state.
+  /// Number of values of a state.
   std::size_t state_size() const noexcept { return ionskin_live_state_size(handle_.get()); }
-  /// Copies the state, for `restore`. @param state [state_size()]
+  /// Copies the state, for `restore`.
+  /// @param state receives the state [state_size()]
   void save(double* state) const noexcept { ionskin_live_save(handle_.get(), state); }
-  /// Takes up a state of a skin of the same file, kept in `size` numbers; time may go back by it.
-  /// @returns whether it is one: its size fits, and every number is finite and within what a step
-  /// can leave; if not nothing changes
+  /// Replaces the state by one that `save` copied from a skin of the same file. Time may go back by
+  /// it.
+  /// @param state [size]
+  /// @returns false, with nothing changed, if no step can leave such a state: its size differs, or
+  /// a number is not finite or out of range
   bool restore(const double* state, std::size_t size) noexcept {
     return ionskin_live_restore(handle_.get(), state, size) != 0;
   }
-  /// Back to a detached skin at rest.
+  /// Resets the state to that of a skin at rest without contact.
   void reset() noexcept { ionskin_live_reset(handle_.get()); }
 
-  /// Sets another coefficient of friction, which is not part of the state. Takes memory.
-  /// @returns whether it is within the trained range; if not nothing changes
+  /// Sets the coefficient of friction, which is not part of the state. Allocates memory.
+  /// @returns false, with nothing changed, if it is outside the trained range or memory is lacking
   bool set_friction(double coefficient) noexcept {
     return ionskin_live_set_friction(handle_.get(), coefficient) != 0;
   }
-  /// The present coefficient of friction, the lowest and the highest that were trained.
+  /// Present coefficient of friction, then the lowest and the highest trained one.
   std::array<double, 3> friction() const noexcept {
     std::array<double, 3> values{};
     ionskin_live_friction(handle_.get(), values.data());
     return values;
   }
 
-  /// Trained: lowest x, y, highest x, y [m], force [N], indentation [m], speed [m/s].
+  /// Trained range: lowest x, y, highest x, y of the slider's centre [m], largest force [N],
+  /// largest indentation [m], highest speed [m/s].
   std::array<double, 7> range() const noexcept {
     std::array<double, 7> values{};
     ionskin_live_range(handle_.get(), values.data());
     return values;
   }
-  /// Trained: tilt [rad] and turn about z [rad/s]; and 1 if the underside turns into itself.
+  /// Trained range of poses: largest tilt [rad] and fastest rotation about z [rad/s], 0 for none;
+  /// then 1 if the underside is rotationally symmetric about z, else 0.
   std::array<double, 3> pose_range() const noexcept {
     std::array<double, 3> values{};
     ionskin_live_pose_range(handle_.get(), values.data());
     return values;
   }
-  /// Handle of the C interface, for what this class has no function.
+  /// Handle for functions of the C interface that this class does not wrap. The skin keeps
+  /// ownership.
   ionskin_live_skin* handle() const noexcept { return handle_.get(); }
 
 private:

@@ -11,49 +11,66 @@
 
 namespace ionskin::live {
 
-/// A channel of the core in samples of the contact.
+/// Fields of one channel (scalar field over the core, such as the shear) in samples of the contact,
+/// from which the modes are made.
 struct ChannelSamples {
-  std::array<std::size_t, 3> points{},
-      cells{};               ///< along x, y, z: Gauss points, grid of the history
-  Eigen::MatrixXf at_points; ///< [z][y][x], sample
-  Eigen::MatrixXf fields;    ///< [level][y][x], sample
+  /// Numbers along x, y, z of the Gauss points of the mesh, and of the values of the strain
+  /// history's grid.
+  std::array<std::size_t, 3> points{}, cells{};
+  Eigen::MatrixXf at_points; ///< values at the Gauss points [z][y][x], sample
+  Eigen::MatrixXf fields;    ///< values on the grid [level][y][x], sample
 };
 
-/// Measure by which the modes of a channel are chosen.
+/// Norm in which the modes of a channel are chosen and their errors measured.
 struct ChannelMeasure {
-  std::vector<double> point_weight; ///< of a Gauss point: root of its volume; 0: not to be chosen
-  std::vector<double> cell_area;    ///< of a column of the grid, [y][x] [m2]
-  /// Rows are combinations of the levels that count alike, such as those that drive a charge.
+  /// Square root of the volume of each Gauss point; 0 for points that may not be chosen.
+  std::vector<double> point_weight;
+  std::vector<double> cell_area; ///< area of each column of the grid [y][x] [m2]
+  /// Combinations of the z levels that have equal weight in the norm, such as those that drive a
+  /// charge [combination][level].
   Eigen::MatrixXd levels;
 };
 
-/// Modes of the fields, and how the channel's values at some points tell them. Reflected samples
-/// have reflected modes.
+/// Modes of the fields of a channel, and the regression that gives their amplitudes from the
+/// channel's values at some points. Mirror images of the samples have mirror images of the modes.
 struct ChannelBasis {
+  /// Indices of the chosen Gauss points; mirror images follow one another.
   std::vector<std::size_t> points;
-  Eigen::MatrixXd fit;             ///< [mode][point]
-  Eigen::MatrixXd field;           ///< [level][y][x], mode
-  std::vector<std::size_t> parity; ///< of the modes
-  double unseen = 0; ///< error in samples that were kept from the fit, of their norm [1]
+  Eigen::MatrixXd fit;             ///< amplitudes by the values at the points [mode][point]
+  Eigen::MatrixXd field;           ///< modes [level][y][x], mode
+  std::vector<std::size_t> parity; ///< parity of each mode (`Reflections`)
+  /// Error in samples that were not used for the fit, over their norm [1].
+  double unseen = 0;
 };
 
-/// The fields in the measure, and below them their integrals.
+/// Transforms fields so that the Euclidean norm of a column is the norm of the measure: weighted
+/// combinations of the levels, followed by their integrals over the area.
+/// @param fields [level][y][x], sample
+/// @returns [combination][y][x], then [combination]; sample
 Eigen::MatrixXf measured(const Eigen::MatrixXf& fields, const ChannelMeasure& measure);
 
-/// Values and their reflections as the part of a parity. @param size along x, y, z
+/// Projects values on a grid onto the part that has one parity under the reflections. The sum of
+/// the squares over all parities equals the sum of the squares over all mirror images.
+/// @param values [z][y][x], sample
+/// @param size along x, y, z
 Eigen::MatrixXf of_parity(const Eigen::MatrixXf& values, const std::array<std::size_t, 3>& size,
                           const Reflections& reflections, std::size_t parity);
 
-/// Proper orthogonal decomposition of the fields, in the measure, together with their integrals
-/// over the core, which are charges; then the points whose values span those of all others best,
-/// one after the other, and as many as it takes; then a linear regression of the modes on them. As
-/// the samples are many, no mode is fixed by a few points alone.
+/// Makes a basis of modes by proper orthogonal decomposition of the fields in the norm of the
+/// measure, together with their integrals over the core, since charges are such integrals. Then
+/// chooses points one after the other, each so that the values at the points span those at all
+/// other points best, until the error in unseen samples is small; then fits the modes to the values
+/// at the points by linear regression. There are many samples, so that no mode is fixed by a few
+/// points alone.
 ChannelBasis channel_basis(const ChannelSamples& samples, const ChannelMeasure& measure,
                            const Reflections& reflections);
 
-/// The fit of a basis where samples of another place are to be met, as far as the basis is from
-/// them: near the ends of the skin shear fades otherwise than in its middle.
-/// @param measure with the areas of the cells that lie within the core there
+/// Corrects the fit of a basis by least squares so that it reproduces samples at another position
+/// of the slider, such as near the ends of the skin, where shear decays differently from the
+/// middle.
+/// @param samples at this position
+/// @param measure with the areas of the columns that lie within the core at this position
+/// @returns corrected fit [mode][point]
 Eigen::MatrixXd fit_at_place(const ChannelBasis& basis, const ChannelSamples& samples,
                              const ChannelMeasure& measure);
 

@@ -13,11 +13,15 @@
 
 namespace ionskin::live {
 
-/// Reduces channels of the core to modes, over samples of the contact, docs/live.md.
-/// @param data with its contact, its charges and the range of its places
-/// @param samples forces of the cells; their strain is that of the middle of the range, since the
-/// lines of the mesh outside the footprint are elsewhere with each place, and their sums with them
-/// @param channels of the history, by name; the last one drives the charges
+/// Reduces channels (scalar fields over the core) to modes, from samples of the contact;
+/// docs/live.md describes the method.
+/// @param data trained model so far, with its contact, charges and range of positions
+/// @param places positions of the slider at which the fits are made
+/// @param samples forces of the cells [sample][3 cells] [N]. The modes are made with the slider in
+/// the middle of its range: mesh lines outside the contact lie elsewhere at each position, and sums
+/// over the mesh would change with them
+/// @param channels names of channels of the history; the last one drives the charges
+/// @returns one map for each channel
 std::vector<ChannelMap> reduce_channels(const Case& input, const SkinData& data,
                                         const std::shared_ptr<const mechanics::SkinModel>& model,
                                         const PlaceNodes& places,

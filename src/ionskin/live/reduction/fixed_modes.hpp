@@ -15,37 +15,49 @@
 
 namespace ionskin::live {
 
-/// Width beside the ends of the skin in which the field stays with them, with the slider at a
-/// place; 0 along a direction in which it does not move [m].
+/// Widths of the zones at the ends of the skin in which the strain field stays with the skin
+/// instead of moving with the slider, along x and y; 0 along a direction in which the slider does
+/// not move [m].
+/// @param thickness of the skin [m]
 std::array<double, 2> end_zones(const SkinData& data, const PlaceNodes& places, double thickness);
 
-/// Cells that stay with the skin, fine at its ends; along a direction in which the slider does not
-/// move those of the grid that rides with it. @param thickness of the skin [m]
+/// Edges along x and y of a grid that is fixed to the skin, fine at its ends; along a direction in
+/// which the slider does not move, the edges of the grid that moves with the slider [m].
+/// @param grid that moves with the slider
+/// @param thickness of the skin [m]
 std::array<std::vector<double>, 2> fixed_edges(const SkinData& data, const PlaceNodes& places,
                                                const history::StrainGrid& grid, double thickness);
 
-/// Means over the cells that stay of fields on the grid that rides [level][y][x], sample.
+/// Averages fields from the grid that moves with the slider onto cells that are fixed to the skin.
+/// @param fields [level][y][x], sample
+/// @param grid that moves with the slider
+/// @param place position of the slider's centre [m]
+/// @param edges of the fixed cells along x and y [m]
+/// @returns [level][y][x], sample
 Eigen::MatrixXf on_fixed_cells(const Eigen::MatrixXf& fields, const history::StrainGrid& grid,
                                const std::array<double, 2>& place,
                                const std::array<std::vector<double>, 2>& edges);
 
-/// Remainder of the fields at a place that the riding modes leave.
+/// Part of the fields that the modes moving with the slider do not represent, at one position of
+/// the slider.
 struct LeftAtPlace {
-  Eigen::MatrixXd values; ///< of the channel at the points of the basis [point][sample]
-  Eigen::MatrixXf fields; ///< on the cells that stay [level][y][x], sample
+  Eigen::MatrixXd values; ///< values of the channel at the points of the basis [point][sample]
+  /// Remainder on the cells that are fixed to the skin [level][y][x], sample.
+  Eigen::MatrixXf fields;
 };
 
-/// Modes of the residual, and a regression of them on the values for each place.
+/// Modes of the remainders (`LeftAtPlace`), which stay with the skin, and for each position a
+/// regression of their amplitudes on the channel's values at the points of the basis.
 struct FixedModes {
-  Eigen::MatrixXd field;            ///< [level][y][x], mode
-  std::vector<std::size_t> parity;  ///< of the modes
-  std::vector<Eigen::MatrixXd> fit; ///< of each place [mode][point]
+  Eigen::MatrixXd field;            ///< modes [level][y][x], mode
+  std::vector<std::size_t> parity;  ///< parity of each mode (`Reflections`)
+  std::vector<Eigen::MatrixXd> fit; ///< regression at each position [mode][point]
 };
 
-/// Modes of the remainders at all places, most important first, and their fit.
-/// @param measure with the areas of the cells that stay
-/// @param size of the cells along x, y, z
-/// @param whole norm of the whole fields in the measure
+/// Makes the modes of the remainders at all positions, most important first, and their regression.
+/// @param measure norm, with the areas of the fixed cells
+/// @param size numbers of fixed cells along x and y, and of z levels
+/// @param whole norm of the complete fields in the measure, relative to which modes are negligible
 FixedModes fixed_modes(const std::vector<LeftAtPlace>& left, const ChannelMeasure& measure,
                        const std::array<std::size_t, 3>& size, const Reflections& reflections,
                        double whole);

@@ -9,15 +9,17 @@
 
 namespace ionskin::live {
 
-/// Truncation: largest norm of a mode that is left out of the part that changes with the place,
-/// over the norm of the mean.
+/// Truncation of a `PlaceMap`: largest norm of a mode that is left out, over the norm of the mean.
 inline constexpr double negligible_place_mode = 1e-5;
 
-/// Values at the nodes as a mean and the modes that are larger than a part of it.
+/// Decomposes vectors that are known at the nodes into their mean and modes.
+/// @param nodes vectors [node, x fastest][size]
+/// @param negligible norm of a mode over that of the mean, below which the mode is left out
 PlaceMap place_map(const PlaceNodes& places, const std::vector<std::vector<float>>& nodes,
                    double negligible);
 
-/// The compliance of the contact cells over the nodes.
+/// Computes the compliance of the contact cells at the nodes, and decomposes it [3 cells][3 cells]
+/// [m/N].
 PlaceMap reduce_compliance(const mechanics::SkinModel& model, const PlaceNodes& places);
 
 } // namespace ionskin::live

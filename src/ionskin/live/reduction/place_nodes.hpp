@@ -8,15 +8,15 @@
 
 namespace ionskin::live {
 
-/// Lines of places of the slider's centre at which a live skin knows the full one; it is a
-/// polynomial of the place in between [m].
+/// Grid of positions of the slider's centre at which the reduced-order skin is computed from the
+/// full model; it interpolates by polynomials in between [m].
 struct PlaceNodes {
-  std::vector<double> x, y; ///< ascending; one where the slider stays
+  std::vector<double> x, y; ///< ascending; one line where the slider does not move
 };
 
-/// Chebyshev points of a rectangle of places, its borders among them: the skin's answer under the
-/// slider is smooth in its place, and their polynomial errs by a part of 0.24 to the power of their
-/// number.
+/// Chooses the Chebyshev points of a rectangle of positions, borders included. The skin's response
+/// is smooth in the slider's position, so that the relative error of the polynomials is 0.24 to the
+/// power of the number of points.
 PlaceNodes place_nodes(const Skin& skin, const MotionBox& box);
 
 } // namespace ionskin::live

@@ -9,13 +9,15 @@
 
 namespace ionskin::live {
 
-/// Reflections that leave the slider as it is; the skin has both.
+/// Reflections along x and y that map the contact cells and the slider's underside onto themselves.
+/// The skin is symmetric under both.
 Reflections reflections_of(const mechanics::SkinModel& model);
 
-/// True if the mirror image of every node on the skin is a node.
+/// True if the mirror image of every node, about the middle of the skin, is a node.
 bool are_mirrored(const PlaceNodes& places, const SkinData& data);
 
-/// A box of places that is its own mirror image on the skin.
+/// Smallest rectangle of positions that contains a given one and is symmetric about the middle of
+/// the skin.
 MotionBox mirrored_box(const MotionBox& box, const SkinData& data);
 
 } // namespace ionskin::live

@@ -7,7 +7,7 @@
 
 namespace ionskin::live {
 
-/// Appends a matrix row by row.
+/// Appends the entries of a matrix to a list, row by row, in single precision.
 inline void append(std::vector<float>& values, const Eigen::MatrixXd& rows) {
   for (Eigen::Index i = 0; i < rows.rows(); ++i) {
     for (Eigen::Index j = 0; j < rows.cols(); ++j) {

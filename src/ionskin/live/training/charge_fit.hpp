@@ -9,33 +9,47 @@
 
 namespace ionskin::live {
 
-/// One region's charges in a run of the full model, and the inputs that drove them.
+/// Training data of the charges of one region (the whole electrode, or a taxel) in a run of the
+/// full model, with the inputs that drive them.
 struct ChargeRecord {
-  std::vector<double> time;                  ///< [rows]
-  std::vector<double> drive;                 ///< [row][input]
-  std::array<std::vector<double>, 2> charge; ///< top, bottom [row] [C]
-  /// Drive that spreads into the region from beside it [row][level]; empty where nothing does.
+  std::vector<double> time;  ///< [row] [s]
+  std::vector<double> drive; ///< inputs as in `ChargeModel` [row][input] [m2]
+  /// Charges of the top and the bottom electrode over the region [row] [C].
+  std::array<std::vector<double>, 2> charge;
+  /// States of the waves of spreading charge, summed over the region, per unit weight of each z
+  /// level [row][level] [m2]; empty if no charge spreads.
   std::vector<double> spread;
 };
 
-/// Rates, of some candidates, with which the charges of the records are met best, one after the
-/// other [1/s]: fitted to the first two thirds of the rows, and as many more than the least as
-/// lower the error on the other third by a tenth each.
+/// Chooses the rates of the first-order states from some candidates, one after the other, each so
+/// that the charges of the records are fitted best [1/s]. The fit uses the first two thirds of the
+/// rows; beyond `least` rates, more are taken as long as each lowers the error on the last third by
+/// a tenth.
+/// @param inputs number of inputs of a record
+/// @param candidates [1/s]
+/// @param least, most numbers of rates
+/// @returns ascending rates
 std::vector<double> choose_rates(const std::vector<ChargeRecord>& records, std::size_t inputs,
                                  const std::vector<double>& candidates, std::size_t least,
                                  std::size_t most);
 
+/// Fitted charge model of a region.
 struct ChargeFit {
   ChargeModel model;
-  std::vector<double> spread; ///< weight of what spreads, alike for both charges [level]
+  /// Weights of the spreading charge, the same for top and bottom [level] [C/m2]; empty if no
+  /// charge spreads.
+  std::vector<double> spread;
 };
 
-/// Least squares over all rows of all records, weighted with the time between them.
+/// Fits a charge model by least squares over all rows of all records, weighted with the time
+/// between the rows.
+/// @param inputs number of inputs of a record
+/// @param rates of the first-order states [1/s]
 ChargeFit fit_charges(const std::vector<ChargeRecord>& records, std::size_t inputs,
                       const std::vector<double>& rates);
 
-/// Rms that a fit to the first two thirds of the rows leaves of the others, over that of the
-/// charges [1].
+/// Rms error on the last third of the rows of a fit to the first two thirds, over the rms of the
+/// charges there [1].
 double unseen_error(const std::vector<ChargeRecord>& records, std::size_t inputs,
                     const std::vector<double>& rates);
 

@@ -9,27 +9,32 @@
 
 namespace ionskin::live {
 
-/// Every cosine wave over the columns of the ion grid with the rate at which it relaxes, docs/
-/// model.md (34): (D/lambda) alpha tanh(alpha h/2), where alpha is that of the columns' second
-/// differences. No weights.
+/// All cosine waves over the columns of the ion grid, except the mean, each with its relaxation
+/// rate, docs/model.md (34): (D/lambda) alpha tanh(alpha h/2), where alpha is the wave number of
+/// the second differences between columns. The weights are empty.
 SpreadMap all_waves(const FullRun& run);
 
-/// Records of the charge that some waves bring into each taxel, in the records of the taxels of the
-/// same run.
+/// Fills `spread` of the records: the states of the given waves, summed over each taxel.
+/// @param run of the full model
+/// @param records of the taxels of this run
 void record_spread(const FullRun& run, const SpreadMap& map, std::vector<ChargeRecord>& records);
 
-/// Square of the charge that each wave brings into the taxels, over the time and all of them [C2
-/// s].
+/// Time integral of the square of the charge that each wave brings into the taxels, summed over the
+/// taxels [wave] [C2 s].
+/// @param map waves with weights
 std::vector<double> wave_energies(const FullRun& run, const SpreadMap& map);
 
-/// Records of all runs, one after the other.
+/// Concatenates the records of several runs.
 std::vector<ChargeRecord> joined(const std::vector<std::vector<ChargeRecord>>& of_runs);
 
-/// The waves that spread into the taxels, without weights, and what they bring, into the records.
-/// None where rows that were not fitted are met to 1 % of the largest charge without them, or where
-/// they do not lower that error by a tenth; else the fewest without which all others would miss a
-/// thousandth of the charges.
+/// Chooses the waves of spreading charge that the taxels need, and fills `spread` of the records
+/// with their states. Chooses none where the fit without waves meets the rows it did not see to 1 %
+/// of the largest charge, or where waves do not lower that error by a tenth; otherwise the fewest
+/// waves such that all others together contribute less than a thousandth of the charges.
 /// @param records of the taxels of each run
+/// @param inputs number of inputs of a record
+/// @param rates of the first-order states [1/s]
+/// @returns waves without weights
 SpreadMap find_spread(const std::vector<FullRun>& runs,
                       std::vector<std::vector<ChargeRecord>>& records, std::size_t inputs,
                       const std::vector<double>& rates);

@@ -10,10 +10,13 @@
 
 namespace ionskin::live {
 
-/// States of the live contact along random paths, which cost next to nothing beside those of the
-/// full model: landings, rests, onsets of slip, reversals, changes of load, at every friction of
-/// the range in turn.
-/// @param data with its contact
+/// Cell forces of the reduced-order contact along random paths with landings, rests, onsets of
+/// slip, reversals and changes of load, at friction coefficients over the trained range in turn.
+/// They serve as samples for the modes of the strain, and cost next to nothing beside states of the
+/// full model.
+/// @param data trained model, complete as far as the contact is concerned
+/// @param range within which the paths stay
+/// @param count number of samples
 /// @returns forces of the cells [sample][3 cells] [N]
 std::vector<std::vector<double>> contact_samples(const SkinData& data, const TouchRange& range,
                                                  std::size_t count, std::uint64_t seed);

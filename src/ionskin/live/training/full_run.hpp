@@ -14,7 +14,8 @@
 
 namespace ionskin::live {
 
-/// The full model along one motion.
+/// Results of the full model along one motion: case with this motion, Study 1 (contact), transfer
+/// of the strain, Study 2 (ions).
 struct FullRun {
   Case input;
   mechanics::ContactSolution contact;
@@ -23,16 +24,18 @@ struct FullRun {
 };
 
 /// Runs the full model along a motion. Throws SolverError where it has no solution.
-/// @param motion in place of the case's
-/// @param footprint of an earlier run with the same loads; empty to find it
+/// @param motion replaces that of the case
+/// @param footprint rectangle in which the slider may touch, from an earlier run with the same
+/// loads; empty to find it
 FullRun full_run(const Case& input, const Motion& motion,
                  const std::optional<mesh::Footprint>& footprint, const TrainingOptions& options);
 
-/// The charges of the whole electrode, or of the taxels, and their inputs: integrals of the
-/// driving channel over the area, by level; where the law knows the mean over the core also those
-/// of the whole core times the region's share of it.
+/// Training records of the charges, with their inputs: integrals of the driving channel over the
+/// region's area at each z level [m2]; for taxels under a law that depends on the mean over the
+/// core, the integrals over the whole core times the region's share of its area follow.
+/// @param of_taxels true for one record per taxel, false for one record of the whole electrode
 std::vector<ChargeRecord> charge_records(const FullRun& run, bool of_taxels);
-/// Numbers in a row of their drive.
+/// Number of inputs in a row of these records.
 std::size_t drive_inputs(const FullRun& run, bool of_taxels);
 
 } // namespace ionskin::live

@@ -10,34 +10,39 @@
 
 namespace ionskin::live {
 
-/// Range within which random touches stay, as the motion of a case does.
+/// Range of positions, loads, speeds and poses of the random touches, taken from the motion of a
+/// case.
 struct TouchRange {
-  MotionBox box;           ///< of the slider's centre in contact [m]
-  bool is_force = false;   ///< true if a force presses, not a height
-  double heaviest = 0;     ///< force of the whole skin [N] or indentation [m]
-  double fastest = 0;      ///< in contact [m/s]
-  double steepest = 0;     ///< tilt, roll and pitch together [rad]
-  double fastest_turn = 0; ///< about z [rad/s]
+  MotionBox box;           ///< rectangle of the slider's centre in contact [m]
+  bool is_force = false;   ///< true if a force presses the slider, false if a height is held
+  double heaviest = 0;     ///< largest force on the whole skin [N] or indentation [m]
+  double fastest = 0;      ///< largest speed along the skin in contact [m/s]
+  double steepest = 0;     ///< largest tilt, roll and pitch together [rad]
+  double fastest_turn = 0; ///< fastest rotation about z [rad/s]
 
+  /// True if the slider tilts or rotates about z.
   bool poses() const { return steepest > 0 || fastest_turn > 0; }
 };
 
-/// Throws UserError where the slider never touches.
+/// Takes the range of positions, loads and speeds from the motion of a case; no tilt and no
+/// rotation. Throws UserError where the slider never touches.
 TouchRange touch_range(const Case& input);
 
-/// Random touches one after the other, as waypoints at whole milliseconds: landing anywhere in the
-/// range, strokes, reversals, rests and changes of load at any speed in it, lift-off. Each has a
-/// stroke and a rest at least, in any order, so that every event of `touch_events.hpp` is in it
-/// where the range has length. The first one goes through the corners of the range under the
-/// heaviest load, whatever the seed; where tilts are trained it tilts by the steepest to all four
-/// sides at the end, and so does not outgrow the cells later. Angles change on strokes.
+/// Generates a motion of random touches, one after the other, as waypoints at whole milliseconds:
+/// landing anywhere in the range, strokes, reversals, rests and changes of load at any speed in it,
+/// lift-off. Each touch has at least one stroke and one rest, so that it contains every event of
+/// `touch_events.hpp` if the range has length. The first touch is the same for all seeds: it goes
+/// through the corners of the range under the heaviest load, and ends with the steepest tilts to
+/// all four sides where tilts are trained, so that no later touch outgrows the contact cells.
+/// Angles change during strokes.
 Motion random_touches(const TouchRange& range, std::size_t count, std::uint64_t seed);
 
-/// Instants at which the slider begins to come down for each touch of such a motion [s].
+/// Instants at which the slider begins to come down, one for each touch of such a motion [s].
 std::vector<double> landings(const Motion& motion);
 
-/// A path with rows added at each of the first milliseconds behind every corner in contact: the
-/// full model then takes steps that end where a loop steps, while its own would be longer.
+/// Adds waypoints at each of the first 50 milliseconds after every corner in contact, without
+/// changing the path. The full model then takes steps that end where a real-time loop steps; its
+/// own would be longer.
 Motion with_rows_behind_corners(const Motion& motion);
 
 } // namespace ionskin::live

@@ -11,8 +11,11 @@
 
 namespace ionskin::live {
 
-/// Errors on random touches, some of which a run of the full model takes together.
-/// @param footprint of the training
+/// Measures the errors of the reduced-order model on random touches. A run of the full model covers
+/// several touches at once.
+/// @param data the trained model
+/// @param count number of touches
+/// @param footprint rectangle in which the slider may touch, from the training
 /// @param done called with the number of touches that are done; may be empty
 std::vector<TouchErrors> errors_on_touches(const SkinData& data, const Case& input,
                                            const TouchRange& range, std::size_t count,
@@ -20,8 +23,8 @@ std::vector<TouchErrors> errors_on_touches(const SkinData& data, const Case& inp
                                            const TrainingOptions& options,
                                            const std::function<void(std::size_t)>& done = {});
 
-/// Errors that a file states, of whole touches and of their events: a quarter more than the largest
-/// rms of a touch and than its largest error over all touches.
+/// Computes the errors that the file reports, over whole touches and over their events: 1.25 times
+/// the largest rms error of a touch, and 1.25 times the largest error over all touches.
 std::vector<SignalError> stated_errors(const std::vector<TouchErrors>& errors);
 
 } // namespace ionskin::live

@@ -9,34 +9,37 @@
 
 namespace ionskin::live {
 
-/// Events of a touch, by the contact's state and the path; docs/live.md says the same. An instant
+/// Events of a touch, in terms of contact state and path; also defined in docs/live.md. An instant
 /// may belong to several.
 namespace event {
-/// The slider touches, and did not so long before.
+/// Contact that began less than `event_length` ago.
 inline constexpr std::size_t landing = 0;
-/// The slider begins to move along the skin in contact or to spin, or turns by more than a right
-/// angle: from then until nothing of the contact sticks any more, and so long at least. Lift, rest
-/// or another onset end it.
+/// Onset of slip: begins when the slider in contact begins to slide or to rotate about z, or
+/// changes direction by more than a right angle. It lasts until nothing of the contact sticks any
+/// more, and at least `event_length`. Lift, rest or another onset end it.
 inline constexpr std::size_t slip_onset = 1;
-/// The slider rests in contact, in its pose, under an unchanged load, and did so for so long.
+/// Rest in contact, in one pose and under an unchanged load, which has lasted for more than
+/// `event_length`.
 inline constexpr std::size_t hold = 2;
-/// The slider leaves the skin in so long, or left it so long before.
+/// The last `event_length` of contact and the first `event_length` after it.
 inline constexpr std::size_t lift = 3;
 inline constexpr std::array<const char*, 4> names{"landing", "slip_onset", "hold", "lift"};
 } // namespace event
 
-/// Length that the events are defined by, in instants a millisecond apart.
+/// Duration that the events are defined by, in instants, which are a millisecond apart.
 inline constexpr std::size_t event_length = 50;
 
-/// Path and contact of the full model at an instant.
+/// Path of the slider and contact of the full model at one instant.
 struct TouchInstant {
-  std::array<double, 2> centre{};       ///< of the slider [m]
+  std::array<double, 2> centre{};       ///< of the slider, x and y [m]
   double load = 0;                      ///< of the path: force [N] or height [m]
-  bool touches = false, sticks = false; ///< sticks: some part of the contact does not slip
+  bool touches = false, sticks = false; ///< sticks: part of the contact does not slip
   std::array<double, 3> angles{};       ///< roll, pitch and yaw [rad]
 };
 
-/// Events of each instant of a path, a millisecond apart, as bits by their places in the names.
+/// Finds the events of each instant of a path.
+/// @param instants a millisecond apart
+/// @returns for each instant, bit i set for event i of `event::names`
 std::vector<std::uint8_t> events_of(std::span<const TouchInstant> instants);
 
 } // namespace ionskin::live
