@@ -16,7 +16,7 @@ namespace ionskin::handover {
 CoreGrid fixed_core_grid(const std::vector<Case>& sliders,
                          const std::vector<const mesh::SkinMesh*>& meshes);
 
-/// Largest size of a uniform cell [m].
+/// Largest size of a uniform cell, except along a path so long that their number is limited [m].
 double fixed_cell_width(const Case& input);
 
 } // namespace ionskin::handover
