@@ -56,8 +56,8 @@ public:
   PlaneWaves(double length, double width, bool mirrored, const std::function<double(double)>& share,
              double last);
 
-  double step_x() const { return step_x_; } ///< of wave numbers along x [1/m]
-  double step_y() const { return step_y_; } ///< of wave numbers along y [1/m]
+  double step_x() const { return step_x_; } ///< between wave numbers along x [1/m]
+  double step_y() const { return step_y_; } ///< between wave numbers along y [1/m]
   /// Number of modes along x, rounded up to whole blocks of modes that are summed at once.
   Eigen::Index modes_x() const { return cosine_.rows(); }
   /// Number of modes along y.

@@ -18,10 +18,10 @@ using CellFields = std::array<Eigen::MatrixXd, 3>;
 /// True if all columns of a grid are equally wide, and all rows equally high, but for rounding.
 bool is_even(const ContactGrid& grid);
 
-/// Product of the compliance matrix of `plane_compliance` with forces on an even grid, without
-/// forming the matrix. The compliance between two cells depends only on their distance, and between
-/// a cell and a mirror image only on the distance to the image, so that the products are
-/// convolutions by fast Fourier transforms.
+/// Product of the compliance matrix of `plane_compliance` with forces on a grid of equally large
+/// cells, without forming the matrix. The compliance between two cells depends only on their
+/// distance, and between a cell and a mirror image only on the distance to the image, so that the
+/// products are convolutions by fast Fourier transforms.
 class CellConvolution {
 public:
   /// Makes an empty convolution, to which `include` adds compliances.

@@ -5,9 +5,9 @@
 
 namespace ionskin::finite_layers {
 
-/// Discrete Fourier transforms of fields on an even grid of cells. Fields are padded with zeros to
-/// a grid at least twice as long and wide, so that products of transforms are convolutions that do
-/// not wrap around.
+/// Discrete Fourier transforms of fields on a grid of equally large cells. Fields are padded with
+/// zeros to a grid at least twice as long and wide, so that products of transforms are convolutions
+/// that do not wrap around.
 class GridFourier {
 public:
   /// Chooses the padded sizes.

@@ -13,7 +13,7 @@ namespace ionskin::finite_layers {
 /// Compliance of the face of a body as a function of the wave number [1/m].
 using WavesOfBody = std::function<WaveCompliance(double)>;
 
-/// Approximate inverse of the compliance of the cells of an even grid, used to precondition an
+/// Approximate inverse of the compliance of equally large cells in a grid, used to precondition an
 /// iterative solver. It treats the bodies as having no ends and the load as repeated periodically,
 /// so that it inverts the compliance wave by wave. Coupling between normal and tangential
 /// components is left out.

@@ -11,9 +11,9 @@
 
 namespace ionskin::finite_layers {
 
-/// Compliance of the cells of an even grid, given as products with forces on the cells. It replaces
-/// the matrix where the cells are too many for one. Vectors are [3 cell + component] with the
-/// components normal (downwards), x, y. Thread-safe.
+/// Compliance of equally large cells in a grid, given as products with forces on the cells. It
+/// replaces the matrix where the cells are too many for one. Vectors are [3 cell + component] with
+/// the components normal (downwards), x, y. Thread-safe.
 class CellProduct {
 public:
   /// Joins the parts for one position of the slider.
