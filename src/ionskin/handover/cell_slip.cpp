@@ -12,8 +12,8 @@
 namespace ionskin::handover {
 namespace {
 
-/// Smallest force that counts [N]: a smaller one is what rounding of an instant leaves of the state
-/// before.
+/// Smallest force that counts as contact [N]. Smaller forces are left of the state before by
+/// rounding of the instant.
 double least_force(const SurfaceInstant& instant) {
   double largest = 0;
   for (const auto& force : instant.force) {

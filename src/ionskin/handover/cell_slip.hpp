@@ -7,9 +7,10 @@
 
 namespace ionskin::handover {
 
-/// Length of the way that the slider slipped over the skin at each cell since the cell touches, at
-/// instants of one cycle; 0 where it does not touch [m]. Cells ride with the slider.
-/// @param instants within the cycle [s], of any order
+/// Calculates the path length that the slider has slipped over the skin at each cell since the cell
+/// came into contact, [instant][cell] [m]. The value is 0 where a cell does not touch. Cells move
+/// with the slider and are numbered x fastest.
+/// @param instants within one cycle [s], in any order
 std::vector<std::vector<double>> slip_since_landing(const ContactTimeline& timeline,
                                                     const mechanics::ContactSolution& contact,
                                                     const std::vector<double>& instants);

@@ -10,7 +10,8 @@
 namespace ionskin::handover {
 namespace {
 
-/// Mean slip of one step over the cells that touch behind it; 0 when none does [m].
+/// Mean slip of one step, averaged by area over the cells that touch after it [m]; 0 if no cell
+/// does.
 double mean_slip(const SurfaceInstant& before, const SurfaceInstant& after,
                  const std::vector<double>& areas) {
   double sum = 0, touching = 0;

@@ -6,7 +6,7 @@
 namespace ionskin::handover {
 
 void StateCombination::add(const mechanics::SharedState& state, double weight) {
-  // Adhesion holds it above the height at which it landed.
+  // A slider held by adhesion may be above the height at which it landed.
   const bool loaded = state && (state->indentation > 0 || state->normal_force < 0);
   if (!loaded || weight == 0) {
     return;

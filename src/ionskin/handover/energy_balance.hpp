@@ -7,34 +7,35 @@
 
 namespace ionskin::handover {
 
-/// Balance of the work that the slider does on the skin in one cycle.
+/// Energy balance of the contact over one cycle, calculated by `energy_balance` for the full skin.
 struct EnergyBalance {
-  double external_work = 0; ///< of the slider: forces times its displacement [J]
-  /// Dissipated: tangential tractions times slip, less what is stored in elastic slip [J].
+  double external_work = 0; ///< work of the slider: forces times its displacement [J]
+  /// Dissipated energy: tangential forces times slip, without the energy stored in elastic slip
+  /// [J].
   double friction_work = 0;
-  /// Left at the end of the cycle, with that of elastic slip, less what adhesion binds [J].
+  /// Elastic energy left at the end of the cycle, including elastic slip, minus the energy that
+  /// adhesion binds [J].
   double elastic_energy = 0;
-  double adhesion_loss = 0; ///< in jumps of adhesion, on landing and letting go [J]
-  /// Error of the balance over the sum of the magnitudes of the slider's work. It holds the error
-  /// of the load steps, where cells open and close within one, and the work against the skin's
-  /// change along the track, which goes with the convective part of the slip that the model leaves
-  /// out.
+  double adhesion_loss = 0; ///< energy lost in jumps of adhesion, on landing and letting go [J]
+  /// Absolute error of the balance, `missing` over `magnitude` [1]. It contains the error of the
+  /// load steps, as cells open and close within a step, and the work against the change of the skin
+  /// along the track, which belongs to the convective part of the slip that the model neglects.
   double relative_error = 0;
-  /// Energy that friction creates, over the same sum. Friction may only take: every cell in every
-  /// step of contact, those between the samples among them.
+  /// Energy that friction creates, `created` over `magnitude` [1]. Friction may only dissipate; the
+  /// sum goes over every cell in every step of the contact solver, also those between the samples.
   double creation_error = 0;
-  double magnitude = 0; ///< sum of the magnitudes of the slider's work [J]
-  double missing = 0;   ///< work that the balance does not find [J]
-  double created = 0;   ///< by friction [J]
+  double magnitude = 0; ///< sum of the absolute work of the slider in each interval [J]
+  double missing = 0;   ///< work that is in none of the other terms [J]
+  double created = 0;   ///< energy that friction creates, where it should dissipate [J]
 };
 
-/// Sums over the samples of the timeline by the trapezoidal rule, by which the elastic energy
-/// f.C.f/2 is balanced exactly at a fixed position.
+/// Calculates the balance by the trapezoidal rule over the samples of the timeline. For a slider at
+/// a fixed position this rule balances the elastic energy f.C.f/2 exactly.
 EnergyBalance energy_balance(const ContactTimeline& timeline,
                              const mechanics::ContactSolution& contact);
 
-/// Balance of several sliders on one skin, of which each by itself does not have one: they do work
-/// on one another.
+/// Sums the balances of several sliders on one skin. A single slider has no closed balance, as
+/// sliders do work on one another through the skin.
 EnergyBalance energy_balance(const std::vector<EnergyBalance>& of_each);
 
 } // namespace ionskin::handover

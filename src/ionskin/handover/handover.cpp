@@ -14,8 +14,8 @@
 namespace ionskin::handover {
 namespace {
 
-/// Arguments on which a field depends: the states with their weights, and the slider's place.
-/// Detached, only the former.
+/// Key of a field: the states with their weights, and the position of the slider. While the slider
+/// is detached there are no states, and the position is left out.
 using FieldKey = std::pair<std::vector<std::pair<const mechanics::ContactState*, double>>,
                            std::array<double, 2>>;
 
@@ -30,9 +30,9 @@ FieldKey field_key(const StateCombination& combination) {
   return key;
 }
 
-/// Box of the motion, and of the places to which a drive let the slider go beside it.
+/// Box of the motion, extended by the positions to which a drive let the slider move.
 MotionBox box_of_path(const Case& input, const mechanics::ContactSolution& contact) {
-  constexpr double negligible = 1e-9; // of the skin
+  constexpr double negligible = 1e-9; // share of the size of the skin
   const std::array<double, 2> skin{input.skin.length, input.skin.width};
   MotionBox box = motion_box(input.motion, input.slider);
   for (const mechanics::SteppedInstant& instant : contact.stepped) {

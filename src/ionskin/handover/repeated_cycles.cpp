@@ -8,7 +8,7 @@ namespace ionskin::handover {
 void repeat_cycle(int cycles, const std::vector<double>& times, const std::vector<double>& events,
                   const std::function<void(std::size_t sample)>& add,
                   history::CoreHistory& history) {
-  constexpr double rounding = 2e-12; // of a cycle
+  constexpr double rounding = 2e-12; // share of the duration of a cycle
   const double duration = times.back();
   for (int cycle = 0; cycle < cycles; ++cycle) {
     const double offset = cycle * duration;

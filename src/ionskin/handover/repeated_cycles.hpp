@@ -9,11 +9,13 @@
 
 namespace ionskin::handover {
 
-/// Fills the instants and events of a history with those of a cycle, as often as it is repeated.
+/// Fills the instants and events of a strain history by repeating one cycle.
+/// @param cycles number of repetitions
 /// @param times sample instants of one cycle, from 0 to its duration [s]
-/// @param events instants of one cycle, each at a sample up to rounding [s]
-/// @param add called for each sample of the history with its place in the cycle; the last sample of
-/// a cycle stands for the first of the next
+/// @param events event instants of one cycle, each equal to a sample but for rounding [s]
+/// @param add called for each new sample of the history with the index of the sample in `times`.
+/// The last sample of a cycle also serves as the first of the next.
+/// @param history whose `time` and `event_time` are filled
 void repeat_cycle(int cycles, const std::vector<double>& times, const std::vector<double>& events,
                   const std::function<void(std::size_t sample)>& add,
                   history::CoreHistory& history);

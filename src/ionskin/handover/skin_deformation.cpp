@@ -17,12 +17,13 @@ using Eigen::ArrayXXd;
 
 enum Component { xx, yy, zz, yz, xz, xy };
 
-/// A row of cells of one layer, [x, y].
+/// Row of cells within one layer, [x, y].
 struct Row {
   std::size_t layer = 0;
   double height = 0;              ///< [m]
-  std::array<ArrayXXd, 6> strain; ///< means over the cells
-  ArrayXXd rise;                  ///< integral over the height of u_z above the row's bottom [m2]
+  std::array<ArrayXXd, 6> strain; ///< means over the cells [1]
+  /// Integral over the height of the upward displacement relative to the bottom of the row [m2].
+  ArrayXXd rise;
 };
 
 void add(const mechanics::CoreStrain& own, double weight, mechanics::CoreStrain& sum) {
@@ -54,7 +55,7 @@ ArrayXXd level(const mechanics::CoreStrain& strain, int component, std::size_t z
                                     nx, ny);
 }
 
-/// Means over the cells of a level of points, two each way in a cell.
+/// Averages a level of points over the cells, with two by two points in a cell.
 ArrayXXd cell_means(const ArrayXXd& points) {
   const auto even_x = Eigen::seq(0, points.rows() - 2, 2),
              odd_x = Eigen::seq(1, points.rows() - 1, 2);
@@ -64,14 +65,14 @@ ArrayXXd cell_means(const ArrayXXd& points) {
                  points(odd_x, odd_y));
 }
 
-/// Strain of the core between two lines along z, with two levels of points.
+/// Averages the strain of the core between two lines along z, which hold two levels of points.
 Row core_row(const mechanics::CoreStrain& core, std::size_t row, double height) {
   Row result{0, height, {}, {}};
   for (int c = 0; c < 6; ++c) {
     const ArrayXXd lower = cell_means(level(core, c, 2 * row)),
                    upper = cell_means(level(core, c, 2 * row + 1));
     result.strain[static_cast<std::size_t>(c)] = 0.5 * (lower + upper);
-    if (c == zz) { // what lies below raises more of the row
+    if (c == zz) { // strain at a lower point raises more of the row
       const double offset = height / (2 * std::sqrt(3.0));
       result.rise =
           0.5 * height * ((0.5 * height + offset) * lower + (0.5 * height - offset) * upper);
@@ -89,7 +90,8 @@ Row electrode_row(const mechanics::CoreStrain& electrodes, std::size_t which, do
   return result;
 }
 
-/// @param half [x, y] of y <= width / 2
+/// Continues values on the half y <= width / 2 by their mirror image, times `sign`.
+/// @param half [x, y]
 ArrayXXd whole(const ArrayXXd& half, double sign) {
   ArrayXXd result(half.rows(), 2 * half.cols());
   result << half, sign * half.rowwise().reverse();
@@ -104,7 +106,7 @@ void add_mirror_image(Row& row) {
   row.rise = whole(row.rise, 1);
 }
 
-/// Slope along the first direction, by parabolas through three neighbours.
+/// Calculates the slope along the first index, by parabolas through three neighbours.
 ArrayXXd slope(const ArrayXXd& values, const ArrayXd& at) {
   const Eigen::Index last = at.size() - 1;
   ArrayXXd result = ArrayXXd::Zero(values.rows(), values.cols());
@@ -123,7 +125,8 @@ ArrayXd middles(const std::vector<double>& lines) {
   return 0.5 * (at.head(at.size() - 1) + at.tail(at.size() - 1));
 }
 
-/// Values on the lines around columns, straight between and beyond the middles of the columns.
+/// Interpolates from the middles of columns to the lines between them, linearly, also beyond the
+/// outer middles.
 ArrayXXd on_lines(const ArrayXXd& values, const ArrayXd& at, const std::vector<double>& lines) {
   ArrayXXd result(static_cast<Eigen::Index>(lines.size()), values.cols());
   for (Eigen::Index i = 0; i < result.rows(); ++i) {
@@ -160,7 +163,7 @@ std::vector<Row> rows_of(const mechanics::LayerStrain& strain, const Skin& skin,
   return rows;
 }
 
-/// Strains of a skin at rest.
+/// Makes zero strain, for a skin at rest.
 mechanics::LayerStrain nothing(const mesh::SkinMesh& mesh, const Skin& skin) {
   const auto [nx, ny, nz] = mesh.elements();
   const auto core = mesh.core_z();

@@ -11,24 +11,27 @@
 
 namespace ionskin::handover {
 
-/// Six components xx, yy, zz, yz, xz, xy of the strain at the points of mechanics::CoreStrain, each
-/// [z][y][x]; empty of those that the case does not read [1].
+/// Strain components xx, yy, zz, yz, xz, xy at the points of `mechanics::CoreStrain`, each
+/// [z][y][x] [1]. Components that the case does not need are empty.
 using PointStrain = std::array<std::vector<double>, 6>;
 
-/// Strain of a combination of states.
+/// Sums the strains of the states of a combination with their weights.
 PointStrain strain_at_points(const StateCombination& combination);
 
-/// A channel that the handover makes, by its value at the points of a strain.
+/// Rule that makes one channel of the strain history from the strain at the points.
 struct ChannelRule {
-  const char* name;
+  const char* name; ///< name of the channel, from `history::channel_name`
+  /// Calculates the scalar at each point, [z][y][x], in the unit of the channel.
   std::function<std::vector<double>(const PointStrain&)> at_points;
 };
 
-/// The shear by the measure of the case and, where its coupling law moves water, the dilation.
+/// Lists the channels of a case: the shear by its measure and, if its coupling law includes water
+/// transport, the dilation.
 std::vector<ChannelRule> channel_rules(const Case& input);
 
-/// Throws SolverError where a field of a channel is not finite, which the ion transport would find
-/// far from its cause.
+/// Throws SolverError when a field of a channel is not finite. Without this check the ion transport
+/// would fail far from the cause.
+/// @param time instant of the field, for the message [s]
 void require_finite(const history::StrainField& field, const Case& input, double time);
 
 } // namespace ionskin::handover

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double outer_cell_growth = 1.4;
 
-/// Cell edges outward from an edge at 0 to `extent`, growing from `first` up to `limit`.
+/// Makes cell edges outward from 0 to `extent`, with sizes that grow from `first` up to `limit`.
 std::vector<double> graded_cells(double first, double extent, double limit) {
   std::vector<double> edges;
   double size = first;
@@ -27,8 +27,9 @@ std::vector<double> graded_cells(double first, double extent, double limit) {
   return edges;
 }
 
-/// Cell edges that ride with the slider in a direction in which it moves: the footprint's mesh
-/// lines, and outside them graded cells that cover the core from every position on the track.
+/// Makes cell edges that move with the slider, in a direction in which it moves: the mesh lines of
+/// the footprint, and outside them graded cells that cover the core from every position of the
+/// slider.
 std::vector<double> riding_edges(const std::vector<double>& footprint, double low, double high,
                                  double limit) {
   std::vector<double> edges;
@@ -55,7 +56,8 @@ std::vector<double> relative(const std::vector<double>& lines, std::size_t begin
   return result;
 }
 
-/// Edges along one direction; the half model keeps its half only.
+/// Makes the cell edges along one direction, from the slider's centre; for a half model only its
+/// half.
 std::vector<double> direction_edges(const std::vector<double>& lines,
                                     const std::array<std::size_t, 2>& footprint, double extent,
                                     double start, double lowest, double highest, double limit) {
@@ -66,7 +68,7 @@ std::vector<double> direction_edges(const std::vector<double>& lines,
   return riding_edges(inner, -highest, extent - lowest, limit);
 }
 
-/// Values and edges of the half y <= 0 continued by reflection to the whole width.
+/// Continues the edges of the half y <= 0 by reflection to the whole width.
 std::vector<double> reflected_edges(std::vector<double> half) {
   for (std::size_t i = half.size() - 1; i-- > 0;) {
     half.push_back(-half[i]);
@@ -76,12 +78,12 @@ std::vector<double> reflected_edges(std::vector<double> half) {
 
 } // namespace
 
-// Strain decays there over the thickness of the skin;
-// coarser cells cost 0.1 % in the current. Where that is thin against the skin, cells of an 80th
-// of its length only stand where the strain has decayed already.
+// Outside the footprint, strain decays over the thickness of the skin, and coarser cells change the
+// current by 0.1 %. Where the thickness is small against the length, cells of an 80th of the length
+// lie only where the strain has already decayed.
 double outer_cell_limit(const Skin& skin) {
-  // The thickness is rounded to a picometre: how the thicknesses round as they are read and added
-  // must not show.
+  // The thickness is rounded to a picometre, so that rounding in reading and adding thicknesses
+  // does not show.
   const double thickness = std::round(skin.thickness() * 1e12) / 1e12;
   return std::max(thickness, skin.length / 80);
 }

@@ -10,25 +10,30 @@
 
 namespace ionskin::handover {
 
-/// Cells of the core, of which a half model has those at y <= 0 alone: edges along x and y from the
-/// slider's centre, mesh lines along z from the bottom of the core [m].
+/// Grid of the core: edges of the cells along x and y, and mesh lines along z from the bottom of
+/// the core [m]. x and y count from the slider's centre by `core_grid`, from the skin's corner by
+/// `fixed_core_grid`. A half model has only the half of lower y.
 struct CoreGrid {
   std::vector<double> x_edges, y_edges, z_lines;
 };
 
-/// Longest cell beside the footprint [m].
+/// Largest size of a cell outside the footprint [m].
 double outer_cell_limit(const Skin& skin);
 
-/// Grid of the core. In a direction in which the slider moves its cells ride with it: those of the
-/// mesh under it, and beside them cells that grow and cover the core from every place.
-/// @param box of the slider's places
+/// Makes the grid of the core. In a direction in which the slider moves, the cells move with it:
+/// they are the mesh cells of the footprint, and outside it graded cells that cover the core from
+/// every position of the slider. In another direction the cells are those of the mesh.
+/// @param box all positions of the slider's centre [m]
 CoreGrid core_grid(const Case& input, const mesh::SkinMesh& mesh, const MotionBox& box);
 
-/// Grid of the history of the whole core; with twice the levels where the coupling law moves water.
+/// Makes the grid of the strain history for the whole core. It has twice as many z levels when the
+/// coupling law of the case includes water transport.
+/// @param core grid of the core, or of its half in a half model
 history::StrainGrid strain_grid(const Case& input, const mesh::SkinMesh& mesh,
                                 const CoreGrid& core);
 
-/// Mesh lines through the core, from its bottom [m].
+/// Returns the mesh lines through the core, from its bottom [m].
+/// @param lines of the mesh
 std::vector<double> core_lines(const mesh::SkinMesh& mesh, const mesh::MeshLines& lines);
 
 } // namespace ionskin::handover

@@ -6,7 +6,7 @@
 namespace ionskin::handover {
 namespace {
 
-/// Gap of a cell that the underside does not cover, at least [m].
+/// Smallest gap that marks a cell which the underside does not cover [m].
 constexpr double far_beyond = 0.1;
 
 } // namespace
@@ -15,7 +15,8 @@ SurfaceInstant::Vector SurfaceInstant::moved(const SurfaceInstant& before, std::
   Vector result{slider[0] - before.slider[0], slider[1] - before.slider[1],
                 slider[2] - before.slider[2]};
   if (!turned.empty() && !before.turned.empty()) {
-    // A cell that the underside comes over, or leaves along the skin, does not move up or down.
+    // A cell that the underside covers or uncovers by moving along the skin does not move up or
+    // down.
     const bool covered = std::min(turned[cell][0], before.turned[cell][0]) > -far_beyond;
     for (std::size_t c = covered ? 0 : 1; c < 3; ++c) {
       result[c] += turned[cell][c] - before.turned[cell][c];

@@ -8,7 +8,7 @@
 namespace ionskin::finite_layers {
 namespace {
 
-/// Direction of a mode.
+/// Direction of the wave of a mode: wave number k [1/m], and its cosine c and sine s [1].
 struct Direction {
   double k = 0, c = 1, s = 0;
 
@@ -20,7 +20,8 @@ struct Direction {
   }
 };
 
-/// Loads of a mode that a moving face makes: in plane strain, and across the wave.
+/// Loads of a mode per motion of a face: in plane strain and across the wave, [unknown, node of the
+/// face] [Pa].
 struct FaceLoads {
   Eigen::MatrixXd plane_strain, antiplane;
 };
@@ -60,7 +61,8 @@ FaceTerms face_terms(const ThicknessColumn& column, const PlaneMode& mode, Face 
   FaceTerms terms;
   terms.stiffness = column.oedometric_mass() - loads.plane_strain.transpose() * by_plane -
                     loads.antiplane.transpose() * by_antiplane;
-  // Betti: the stress by a traction on the top is the displacement there by a moving face.
+  // Betti's theorem: the stress on the face per traction on the top equals the displacement of the
+  // top per motion of the face.
   const Eigen::VectorXd along = by_plane.row(n - 1).transpose(),
                         upwards = by_plane.row(2 * n - 1).transpose(),
                         across = by_antiplane.row(n - 1).transpose();

@@ -7,34 +7,40 @@
 
 namespace ionskin::finite_layers {
 
-/// A mode of the skin: cosines and sines of k_x x and k_y y.
+/// Mode of the skin: products of cosines and sines of k_x x and k_y y, docs/model.md (48).
 struct PlaneMode {
-  double x = 0, y = 0; ///< wave numbers [1/m]
+  double x = 0, y = 0; ///< wave numbers k_x and k_y [1/m]
 };
 
-/// Faces that move: the sides, normal to y, or the ends, normal to x.
+/// Pair of opposite faces that move: the sides, normal to y, or the ends, normal to x.
 enum class Face { side, end };
 
-/// Terms that one mode of the skin holds against its faces where these move outwards though they
-/// still carry no shear, docs/model.md (55), with the mode itself eliminated.
+/// Contribution of one mode of the skin to the equations of a pair of faces that move outwards
+/// while they carry no shear, docs/model.md (55). The unknowns of the mode itself are eliminated. A
+/// motion of 1 at a node is a strain of 1 of the mode, the second term of (55).
 struct FaceTerms {
-  Eigen::MatrixXd stiffness; ///< of the face's motion at the nodes [N/m]
-  /// Normal stress that the roller face feels at the nodes, over tractions of the mode on the top:
-  /// normal (downwards), x, y [1].
+  /// Normal stress, integrated with the shape functions, per motion at the nodes [N/m].
+  Eigen::MatrixXd stiffness;
+  /// Normal stress on the face while rollers hold it, integrated with the shape functions of the
+  /// nodes, per traction of the mode on the top face: normal (downwards), x, y [m].
   Eigen::MatrixX3d stress;
-  /// Terms of an end on the sides, over the motion of the end; empty for sides [N/m].
+  /// Normal stress that a motion of the ends causes on the sides, integrated with the shape
+  /// functions, [node of the side, node of the end] [N/m]; empty for `Face::side`.
   Eigen::MatrixXd on_sides;
 };
 
+/// Calculates all terms of a mode, for modes that carry a load.
 FaceTerms face_terms(const ThicknessColumn& column, const PlaneMode& mode, Face face);
-/// The stiffness alone, for the many modes that carry no load.
+/// Calculates only `FaceTerms::stiffness`, for the many modes that carry no load.
 Eigen::MatrixXd face_stiffness(const ThicknessColumn& column, const PlaneMode& mode, Face face);
 
-/// Displacement of the nodes by a mode over the motion of a face, a strain of 1 by (55): along the
-/// wave, upwards and across it, [node, node of the face].
+/// Displacements of the nodes of a mode per motion of the faces, where a motion of 1 is a strain of
+/// 1 by docs/model.md (55): along the wave, upwards and across the wave, [node, node of the face]
+/// [m].
 struct ModeMotion {
   Eigen::MatrixXd along, upwards, across;
 };
+/// Calculates the displacements of a mode that a motion of the faces causes.
 ModeMotion mode_motion(const ThicknessColumn& column, const PlaneMode& mode, Face face);
 
 } // namespace ionskin::finite_layers

@@ -11,7 +11,7 @@
 namespace ionskin::finite_layers {
 namespace {
 
-/// Modes 0, 2, 4, ... or 1, 3, 5, ... below a count.
+/// Lists the modes 0, 2, 4, ... or 1, 3, 5, ... below a count.
 std::vector<Eigen::Index> modes_of(Parity parity, Eigen::Index count) {
   std::vector<Eigen::Index> modes;
   for (Eigen::Index i = parity == Parity::even ? 0 : 1; i < count; i += 2) {
@@ -63,7 +63,7 @@ FreeEnds::Class FreeEnds::solved(const ThicknessColumn& column, double length, d
     std::size_t at = 0;
     for (const ModeTerm& term : mode_sum(along_x, summed)) {
       const PlaneMode mode{term.number * std::numbers::pi / length, ky};
-      if (at < modes_x.size()) { // the terms begin with these
+      if (at < modes_x.size()) { // the terms begin with the modes of `modes_x`
         const Eigen::Index m = modes_x[at];
         const FaceTerms terms = face_terms(column, mode, Face::end);
         stiffness(own, own) += factor * term.weight * terms.stiffness;
@@ -240,8 +240,8 @@ void FreeEnds::add(const std::array<Eigen::MatrixXd, 3>& forces, const Eigen::Ar
   }
 }
 
-// The factor of the first modes along the ends is the first part of the factor of all, and each
-// adds its own rows to what the modes before it do.
+// The Cholesky factor of the leading modes along the ends is the leading block of the whole factor.
+// Each mode therefore only adds its own rows to the effect of the modes before it.
 void FreeEnds::Rows::add(const ContactGrid& grid, double centre_x, const Eigen::ArrayXd& share,
                          double last, Eigen::MatrixXd& compliance) const {
   const ModeLine& along_x = ends_->along_x_;

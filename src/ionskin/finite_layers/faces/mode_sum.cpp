@@ -11,7 +11,8 @@
 namespace ionskin::finite_layers {
 namespace {
 
-/// Ends of the panels in the logarithm of the number over the first that is not summed by itself.
+/// Limits of the integration panels, as the logarithm of the mode number over its value where the
+/// integral begins.
 constexpr std::array<double, 5> panels{0, 1.2, 3.0, 5.5, 8.5};
 
 } // namespace
@@ -32,14 +33,14 @@ std::vector<ModeTerm> mode_sum(Parity parity, int one_by_one) {
   for (; n <= one_by_one; n += 2) {
     terms.push_back({static_cast<double>(n), n == 0 ? 1.0 : 2.0});
   }
-  const double first = n - 1; // the interval of the first term that is left begins here
+  const double first = n - 1; // the interval of the first term in the integral begins here
   for (std::size_t panel = 0; panel + 1 < panels.size(); ++panel) {
     const double middle = 0.5 * (panels[panel] + panels[panel + 1]);
     const double half = 0.5 * (panels[panel + 1] - panels[panel]);
     for (std::size_t i = 0; i < Rule::abscissa().size(); ++i) {
       for (const double sign : {1.0, -1.0}) {
         const double number = first * std::exp(middle + sign * half * Rule::abscissa()[i]);
-        // Every second number, with weight 2.
+        // Only every second number occurs, with weight 2.
         terms.push_back({number, half * Rule::weights()[i] * number});
       }
     }

@@ -7,8 +7,8 @@
 namespace ionskin::finite_layers {
 namespace {
 
-/// Nodes per unit of the logarithm: at k d = 10 the cubics are good to 1e-4 of what is left,
-/// exp(-10).
+/// Nodes of the table per unit of the logarithm. At k d = 10, with the depth d, the error of the
+/// cubics is 1e-4 of the remaining amplitude exp(-10).
 constexpr double nodes_per_unit = 40;
 
 } // namespace

@@ -11,27 +11,32 @@
 
 namespace ionskin::finite_layers {
 
-/// `depth_strain` at levels over the wave number, tabulated once and interpolated by cubics in its
-/// logarithm. The table of a level fits the first cache of a processor, so that looking up is
-/// cheaper than keeping the values of all modes.
+/// Table of `depth_strain` at several levels over the wave number, interpolated by cubics in the
+/// logarithm of the wave number. The table of one level fits the first-level cache of a processor,
+/// so that a look-up is cheaper than storing the values of all modes.
 class DepthTable {
 public:
-  using Values = Eigen::Array<double, 8, 1>; ///< in the order of `DepthStrain`
+  using Values = Eigen::Array<double, 8, 1>; ///< members of `DepthStrain` in their order [1/Pa]
 
-  /// @param longest wave number below which a column is loaded evenly [1/m]
-  /// @param cutoffs wave number of each level beyond which nothing is asked for [1/m]
+  /// Tabulates the strain.
+  /// @param layers bottom to top
+  /// @param longest smallest wave number of the table, below which tractions act like a uniform
+  /// load [1/m]
+  /// @param cutoffs for each level, wave number beyond which its strain is not needed [1/m]
   DepthTable(const std::vector<ElasticLayer>& layers, const std::vector<DepthLevel>& levels,
              double longest, std::vector<double> cutoffs);
 
+  /// Number of levels.
   std::size_t levels() const { return cutoffs_.size(); }
+  /// Wave number beyond which the strain of a level is not needed [1/m].
   double cutoff(std::size_t level) const { return cutoffs_[level]; }
-  /// Strain at a level over the motion of a wave, by cubic interpolation.
-  /// @param logarithm of the wave number over 1/m
+  /// Interpolates the strain at a level per traction on the top face [1/Pa].
+  /// @param logarithm natural logarithm of the wave number in 1/m
   Values at(std::size_t level, double logarithm) const;
 
 private:
   std::vector<double> cutoffs_;
-  double first_ = 0, step_ = 0; ///< of the logarithm
+  double first_ = 0, step_ = 0; ///< of the logarithm of the wave number
   Eigen::Index nodes_ = 0;
   Eigen::ArrayXXd values_; ///< [8, node + nodes * level]
 };

@@ -11,21 +11,28 @@
 
 namespace ionskin::finite_layers {
 
-/// Points or intervals along a skin; each of x meets each of y.
+/// Positions along a skin, as points or intervals: the grid of all pairs of an `x` and a `y`, from
+/// the skin's corner [m].
 struct FieldPlaces {
   std::vector<Interval> x, y;
 };
 
-/// Strain at some levels over the motion of sides and ends.
+/// Strain at several levels that the motion of the free sides and ends causes, docs/model.md (60).
 class FaceFields {
 public:
-  /// @param most modes along each face: the first alone have a mean over the whole plane
+  /// Makes the operators from motions to strains.
+  /// @param levels positions through the thickness
+  /// @param components of the strain that are needed
+  /// @param most largest number of modes along each face. 1 suffices for means over the whole
+  /// plane, to which further modes do not contribute.
   FaceFields(const FieldSkin& skin, const std::vector<DepthLevel>& levels,
              const ComponentChoice& components,
              std::size_t most = std::numeric_limits<std::size_t>::max());
 
-  /// Adds to the strains of states.
-  /// @param sums as of FieldTarget
+  /// Adds the strain that the motions cause.
+  /// @param motions one entry per state
+  /// @param places one entry per state
+  /// @param sums one entry per state, in the layout of `FieldTarget::none` [1]
   void add(const std::vector<FaceMotion>& motions, const std::vector<FieldPlaces>& places,
            std::vector<ByKind>& sums) const;
 
@@ -37,7 +44,8 @@ private:
 
   FieldComponents components_;
   Eigen::Index levels_;
-  double length_, width_; ///< of the skin [m]
+  /// Size of the skin [m].
+  double length_, width_;
   std::vector<FaceStrain> sides_, ends_;
 };
 

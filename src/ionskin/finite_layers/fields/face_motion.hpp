@@ -10,15 +10,18 @@
 
 namespace ionskin::finite_layers {
 
-/// Motion of the faces of a skin outwards under forces, coefficients of cosines along them.
+/// Outward motion of the free faces of a skin, as coefficients of cosines along the faces; made by
+/// `face_motion`.
 struct FaceMotion {
-  std::array<Eigen::MatrixXd, 2> sides; ///< of even and odd modes n, [node, m] [m]
+  /// [even or odd n][node, m] [m]; empty where rollers hold the sides.
+  std::array<Eigen::MatrixXd, 2> sides;
   std::vector<FreeEnds::Motion> ends;
 };
 
-/// Motion of the faces of a skin under forces.
-/// @param forces sums over cells of force and means of the modes, [m, n]: normal, x, y [N]
-/// @param mirrored whether even n alone occur
+/// Calculates the motion at which the free faces carry no stress, under forces on the cells.
+/// @param forces sums over the cells of the force times the means of the mode: normal (downwards),
+/// x, y, each [m, n] [N]
+/// @param mirrored true if only even n occur
 FaceMotion face_motion(const FieldSkin& skin, const std::array<Eigen::MatrixXd, 3>& forces,
                        bool mirrored);
 

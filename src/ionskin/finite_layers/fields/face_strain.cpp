@@ -14,11 +14,12 @@
 namespace ionskin::finite_layers {
 namespace {
 
-/// The first modes of a parity are taken one by one, the rest in steps of this share.
+/// Number of modes of a parity that are all selected, and step between the selected modes beyond
+/// them over the number of modes before.
 constexpr Eigen::Index first_modes = 10;
 constexpr double step_share = 0.13;
 
-/// Shape functions at all levels, [level, node].
+/// Values and slopes of the shape functions at all levels, [level, node].
 struct Levels {
   Eigen::MatrixXd value, slope;
 
@@ -33,7 +34,8 @@ struct Levels {
   }
 };
 
-/// Strain of one mode over the motion of a face, a strain of 1, [level, node].
+/// Calculates the strain of one mode per motion of a face, where a motion of 1 is a strain of 1,
+/// [level, node].
 Strains strain_of(const ModeMotion& motion, const Levels& levels, const PlaneMode& mode,
                   Face face) {
   const double k = std::hypot(mode.x, mode.y);
@@ -52,8 +54,8 @@ Strains strain_of(const ModeMotion& motion, const Levels& levels, const PlaneMod
   return strain;
 }
 
-/// Means over a place, from 0 to 1 across the skin, of the sums over all n = 2, 4, ... or 1, 3, ...
-/// of cos(n pi y)/n^2 and sin(n pi y)/n.
+/// Sums of cos(n pi y)/n^2 and sin(n pi y)/n over all n = 2, 4, ... or n = 1, 3, ... in closed
+/// form, averaged over a place y, which runs from 0 to 1 across the skin.
 struct WholeSums {
   double cosine = 0, sine = 0;
 
@@ -68,9 +70,10 @@ struct WholeSums {
   }
 };
 
-/// Means of cosine and sine of all modes of a parity up to one, of which the last stands for those
-/// behind it: cosines fall like 1/n^2. So would sines, or faster, as the faces carry no shear; but
-/// elements free them of shear on average alone, and what is left falls like 1/n.
+/// Calculates the means of the cosine and the sine of all modes of a parity up to a last one, which
+/// also stands for all modes beyond it. The coefficients of cosines fall like 1/n^2. Those of sines
+/// would fall at least as fast, as the faces carry no shear, but elements free the faces of shear
+/// only on average, so that a remainder falls like 1/n.
 ModeTransform complete_means(const std::vector<Interval>& places, double across, Parity parity,
                              Eigen::Index modes) {
   const double first = parity == Parity::even ? 0 : 0.5;
@@ -93,11 +96,12 @@ ModeTransform complete_means(const std::vector<Interval>& places, double across,
   return means;
 }
 
-/// Waves that are left of a strain so far away from a face that the shorter ones of them are those
-/// of the face alone: from few of them to half of all.
+/// Makes splits for places far from a face, where the shorter waves excited by the face have
+/// decayed, so that only the long waves of a split are summed: from a sixteenth to half of all
+/// waves.
 /// @param last wave number up to which modes are summed at the face [1/m]
 std::vector<WaveSplit> smooth_waves(double last) {
-  constexpr double least = 1.0 / 16, tolerance = 1e-4; // as of SkinFields
+  constexpr double least = 1.0 / 16, tolerance = 1e-4; // tolerance as in SkinFields
   std::vector<WaveSplit> result;
   for (double share = least; share < 1; share *= 2) {
     result.emplace_back(WaveSplit(1, tolerance).last_long() / (share * last), tolerance);
@@ -105,8 +109,9 @@ std::vector<WaveSplit> smooth_waves(double last) {
   return result;
 }
 
-/// Means of modes across the skin over places further away from both faces than the reach of the
-/// shorter waves, with the share of each mode in the longer ones, docs/model.md (52).
+/// Calculates the means of modes across the skin over places that are farther from both faces than
+/// the reach of the shorter waves. Each mode is multiplied by its share in the longer waves,
+/// docs/model.md (52).
 ModeTransform smooth_means(const std::vector<Interval>& places, double across, Parity parity,
                            const WaveSplit& smooth) {
   const double first = parity == Parity::even ? 0 : 0.5, step = 2 * std::numbers::pi / across;
@@ -120,7 +125,8 @@ ModeTransform smooth_means(const std::vector<Interval>& places, double across, P
   return means;
 }
 
-/// Share of one of four chosen modes in mode n, by a cubic in ln n through their values times n^2.
+/// Weight of one of four selected modes in the interpolation of mode n: a cubic in ln n through
+/// their values times n^2.
 double share_of(const std::vector<Eigen::Index>& chosen, Eigen::Index first, Eigen::Index which,
                 Eigen::Index n) {
   const auto number = [&](Eigen::Index i) {
@@ -226,7 +232,7 @@ std::array<Eigen::MatrixXd, 2> FaceStrain::waves_at(const std::vector<Interval>&
   constexpr double infinity = std::numeric_limits<double>::infinity();
   std::array<Eigen::MatrixXd, 2> result{Eigen::MatrixXd(place_count, count),
                                         Eigen::MatrixXd(place_count, count)};
-  double beyond = infinity; // all places have their waves
+  double beyond = infinity; // places at least this far from both faces are finished
   for (std::size_t group = 0; group <= smooth_.size(); ++group) {
     const bool near = group == smooth_.size();
     const double from = near ? -infinity : smooth_[group].reach();

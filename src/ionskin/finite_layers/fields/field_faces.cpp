@@ -7,7 +7,8 @@
 namespace ionskin::finite_layers {
 namespace {
 
-/// Waves that a moving face excites, over the thickness: summed up to here.
+/// Largest wave number that is summed of the waves excited by a moving face, times the thickness of
+/// the skin.
 constexpr double face_waves = 128;
 
 } // namespace

@@ -8,13 +8,17 @@
 
 namespace ionskin::finite_layers {
 
-/// Answer of the modes of a skin to motions of its free faces.
+/// Answers of the modes of a skin to motions of its free faces, from which `FaceFields` makes
+/// strains.
 struct FieldFaces {
-  /// Modes of the sides, even and, without a mirror, odd across the skin.
+  /// Answers to the sides: even modes across the skin and, unless loads are symmetric, odd modes.
+  /// Empty where rollers hold the sides.
   std::vector<FaceModes> sides;
-  std::vector<FaceModes> ends; ///< in the order of their motions
+  std::vector<FaceModes> ends; ///< answers to the ends, in the order of `FreeEnds::modes`
 
-  /// @param mirrored whether loads are, in the middle of the width
+  /// Calculates the answers.
+  /// @param mirrored true if all loads are symmetric about the middle of the width
+  /// @param threads number of threads to use
   FieldFaces(const FieldSkin& skin, bool mirrored, int threads);
 };
 

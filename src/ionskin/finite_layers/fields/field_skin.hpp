@@ -11,15 +11,17 @@ namespace ionskin::finite_layers {
 
 struct FieldFaces;
 
-/// A skin whose fields are asked for. Its pointers outlive them.
+/// References to the parts of a skin whose strains are calculated. The parts must outlive every
+/// object that is made from this one.
 struct FieldSkin {
   std::vector<ElasticLayer> layers;        ///< bottom to top
   std::size_t core = 0;                    ///< index of the core; all others are electrodes
   double length = 0, width = 0;            ///< [m]
-  const ThicknessColumn* column = nullptr; ///< the one that sides and ends were made with
-  const FreeSides* sides = nullptr;        ///< null where rollers hold them
-  const FreeEnds* ends = nullptr;          ///< likewise
-  std::shared_ptr<const FieldFaces> faces = nullptr; ///< made of the others
+  const ThicknessColumn* column = nullptr; ///< elements that sides and ends were made with
+  const FreeSides* sides = nullptr;        ///< null where rollers hold the sides
+  const FreeEnds* ends = nullptr;          ///< null where rollers hold the ends
+  /// Answers of the modes to motions of the faces, made from the other members.
+  std::shared_ptr<const FieldFaces> faces = nullptr;
 };
 
 } // namespace ionskin::finite_layers

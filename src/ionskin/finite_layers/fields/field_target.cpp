@@ -10,11 +10,11 @@
 namespace ionskin::finite_layers {
 namespace {
 
-/// Wave number over the size of the skin below which a column is loaded evenly.
+/// Wave number times the size of the skin, below which a traction acts like a uniform load [1].
 constexpr double even_load = 1e-4;
 
-/// Places as far as they lie in a box, from its corner, with their indices, and the share of each
-/// that lies in it.
+/// Parts of places that lie in a box, from the corner of the box [m], with the indices of the
+/// places and the share of each place that lies in the box.
 struct PlacesInBox {
   std::vector<Interval> places;
   std::vector<Eigen::Index> index;

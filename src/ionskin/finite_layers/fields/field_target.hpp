@@ -10,40 +10,49 @@
 
 namespace ionskin::finite_layers {
 
-/// Levels in a skin.
+/// Levels in a skin at which strains are calculated.
 struct FieldLevels {
-  std::vector<DepthLevel> levels;
-  std::vector<double> cutoffs; ///< wave number that is felt at each level [1/m]
+  std::vector<DepthLevel> levels; ///< positions through the thickness
+  std::vector<double> cutoffs;    ///< for each level, largest wave number that is felt there [1/m]
 };
 
-/// A rectangle of the skin whose modes are summed [m].
+/// Rectangle of the skin over which modes are summed [m].
 struct PlaneBox {
-  double x = 0, y = 0; ///< corner
+  double x = 0, y = 0; ///< corner with the smallest coordinates
   double length = 0, width = 0;
 };
 
-/// Strain at some levels, with the tables for them.
+/// Calculates the strain of chosen components at given levels, and holds the tables for it.
 class FieldTarget {
 public:
+  /// Tabulates the strain at the levels.
+  /// @param components of the strain that are needed
   FieldTarget(const FieldSkin& skin, FieldLevels levels, const ComponentChoice& components);
 
   const FieldLevels& levels() const { return levels_; }
-  /// Zero at all places, of each kind of components
-  /// [x, y + y's count * (component + components' count * level)].
+  /// Makes zero strain at all places, one matrix for each kind of components, [x, y + number of y *
+  /// (component + number of components * level)].
   ByKind none(const FieldPlaces& places) const;
-  /// A component at a level, [x, y]; empty where it was not chosen.
+  /// Extracts one component at one level, [x, y]; empty if the component was not chosen.
+  /// @param sums strain in the layout of `none`
+  /// @param component 0 to 5 for xx, yy, zz, yz, xz, xy
   Eigen::MatrixXd component(const ByKind& sums, const FieldPlaces& places, std::size_t component,
                             std::size_t level) const;
-  /// Adds waves of a box to the strains of states.
-  /// @param boxes of each state
-  /// @param known null, or `row_strains` of the places along y that all states have
-  /// @param sums as `none`
+  /// Adds the strain of the modes of a box, with one entry per state in each argument.
+  /// @param loads forces on the cells, by the modes of the box
+  /// @param boxes position of the box in the skin
+  /// @param places at which strain is wanted
+  /// @param known result of `row_strains` for the places along y that all states share; null
+  /// without it
+  /// @param sums to which the strain is added, in the layout of `none` [1]
   void add_waves(const PlaneWaves& waves, const std::vector<WaveLoads>& loads,
                  const std::vector<PlaneBox>& boxes, const std::vector<FieldPlaces>& places,
                  const RowStrains* known, std::vector<ByKind>& sums) const;
-  /// Strains at places along y by unit forces on rows of cells.
-  /// @param rows of cells, [row, n]
-  /// @param y places
+  /// Calculates the strain at places along y per unit force on rows of cells, which all states
+  /// share whose slider keeps its position across the skin.
+  /// @param rows means of the modes along y over the rows of cells, [row, n]
+  /// @param y places, from the skin's corner [m]
+  /// @param threads number of threads to use
   RowStrains row_strains(const PlaneWaves& waves, const PlaneBox& box, const ModeTransform& rows,
                          const std::vector<Interval>& y, int threads) const;
   const FaceFields& faces() const { return faces_; }

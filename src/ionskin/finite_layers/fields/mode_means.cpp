@@ -6,8 +6,8 @@
 namespace ionskin::finite_layers {
 namespace {
 
-/// Cosine and sine of multiples of an angle, one after the other: each is the one before turned by
-/// one step, so that no function is called for it.
+/// Cosine and sine of consecutive multiples of angles by recurrence: each pair is the pair before
+/// turned by one step, so that no trigonometric function is called.
 struct Turning {
   Eigen::ArrayXd cosine, sine, step_cosine, step_sine;
 
@@ -42,7 +42,7 @@ ModeTransform mode_means(const std::vector<Interval>& places, double step, Eigen
     result.sine.col(mode) = at.sine;
     at.turn();
   }
-  if ((half > 0).any()) { // means over intervals: those of their middles times sin(k half)/(k half)
+  if ((half > 0).any()) { // mean over an interval: value at its middle times sin(k half)/(k half)
     Turning at_half(half, first);
     for (Eigen::Index mode = 0; mode < modes; ++mode) {
       const double number = first + static_cast<double>(mode);

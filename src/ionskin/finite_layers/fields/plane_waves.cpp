@@ -38,7 +38,7 @@ PlaneWaves::PlaneWaves(double length, double width, bool mirrored,
       const double k = std::hypot(kx, ky);
       cosine_(m, n) = k > 0 ? kx / k : 1;
       sine_(m, n) = k > 0 ? ky / k : 0;
-      logarithm_(m, n) = k > 0 ? std::log(k) : -1e3; // the first of every table
+      logarithm_(m, n) = k > 0 ? std::log(k) : -1e3; // clamped to the begin of every table
       weight_(m, n) =
           k > last ? 0.0 : (m > 0 ? 2 : 1) * (n > 0 ? 2 : 1) / (length * width) * share(k);
     }
@@ -104,7 +104,7 @@ void PlaneWaves::add_block(const DepthTable& table, std::size_t level, Eigen::In
   }
 }
 
-// Sums along x come first: places there are many, modes along y mostly few.
+// Sums along x come first, as there are many places along x and mostly few modes along y.
 void PlaneWaves::add(const DepthTable& table, std::size_t level, const FieldComponents& components,
                      const std::vector<WaveLoads>& loads, const std::vector<WavePlaces>& places,
                      std::vector<ByKind>& sums) const {

@@ -9,7 +9,8 @@
 namespace ionskin::finite_layers {
 namespace {
 
-/// Strains of a block of modes along x over a unit force along each direction, [n, m].
+/// Calculates the strains of a block of modes along x per unit force along each direction, [n, m]
+/// [1/N].
 std::array<Strains, 3> strains_of_forces(const PlaneWaves& waves, const DepthTable& table,
                                          std::size_t level, Eigen::Index first_m,
                                          Eigen::Index modes_y) {

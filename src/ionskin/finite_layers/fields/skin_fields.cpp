@@ -13,9 +13,10 @@
 namespace ionskin::finite_layers {
 namespace {
 
-/// Distance, over the width, within which two places across the skin are the same but for rounding.
+/// Largest difference, over the width of the skin, between two positions that count as identical.
 constexpr double same_place = 1e-9;
-/// Waves of more than some 16 to a column average out in it.
+/// Largest wave number times the size of a column: waves with more than some 16 periods in a column
+/// average out.
 constexpr double column_waves = 100;
 
 std::vector<Interval> intervals(const std::vector<double>& lines) {
@@ -26,7 +27,7 @@ std::vector<Interval> intervals(const std::vector<double>& lines) {
   return result;
 }
 
-/// Places with one more: the whole plane.
+/// Returns the places and, as a last one, the whole extent of the skin.
 std::vector<Interval> with_whole(std::vector<Interval> places, double extent) {
   places.push_back({0, extent});
   return places;
@@ -36,7 +37,7 @@ double size_of(const std::vector<double>& lines) {
   return lines.back() - lines.front();
 }
 
-/// Thickness of the layers from one upwards.
+/// Thickness of the layer `from` and all layers above it [m].
 double thickness(const std::vector<ElasticLayer>& layers, std::size_t from) {
   return std::accumulate(
       layers.begin() + static_cast<std::ptrdiff_t>(from), layers.end(), 0.0,
@@ -69,7 +70,7 @@ FieldLevels electrode_levels(const FieldSkin& skin, double column, double tolera
   return result;
 }
 
-/// Shear stresses are summed over the plane, too.
+/// Adds the shear components yz and xz, whose means over the plane give the shear force of a level.
 ComponentChoice with_shear_forces(ComponentChoice components) {
   components[3] = components[4] = true; // yz, xz
   return components;
@@ -79,7 +80,7 @@ double largest(const std::vector<double>& values) {
   return *std::ranges::max_element(values);
 }
 
-/// Size of a footprint across the skin, the mirrored half counted.
+/// Size of a footprint across the skin, including the mirrored half [m].
 double footprint_width(const ContactGrid& cells) {
   return cells.half ? -2 * cells.y.front() : size_of(cells.y);
 }
@@ -89,12 +90,13 @@ CellForces by_cells(const ContactGrid& cells, const std::vector<double>& forces)
   for (std::size_t c = 0; c < 3; ++c) {
     const Eigen::Map<const Eigen::MatrixXd, 0, Eigen::InnerStride<3>> own(
         forces.data() + c, cells.columns(), cells.rows());
-    result[c] = (cells.half ? 2 : 1) * own; // even modes alone: the mirror image does the same
+    result[c] = (cells.half ? 2 : 1) * own; // even modes only: the mirror image adds the same
   }
   return result;
 }
 
-/// Cells or rows of cells from the corner of a box.
+/// Shifts the intervals between lines, which count from the slider's centre, by the position of the
+/// centre.
 std::vector<Interval> from_corner(const std::vector<double>& lines, double centre) {
   std::vector<Interval> result = intervals(lines);
   for (Interval& cell : result) {
@@ -104,7 +106,8 @@ std::vector<Interval> from_corner(const std::vector<double>& lines, double centr
   return result;
 }
 
-/// Strains without the last place along x and y where `whole` says that it is the whole plane.
+/// Converts sums of modes into a field. If `whole` is true, it leaves out the last place along x
+/// and y, which is the whole plane.
 StrainField strain_field(const FieldTarget& target, const ByKind& sums, const FieldPlaces& places,
                          bool whole) {
   const std::size_t nx = places.x.size() - (whole ? 1 : 0), ny = places.y.size() - (whole ? 1 : 0),
@@ -133,12 +136,13 @@ struct SkinFields::Parts {
   ContactGrid cells;
   WaveSplit split;
   FieldTarget core, electrodes;
-  /// Normal strains of the core, for their means over the whole plane.
+  /// Calculates the normal strains of the core, for their means over the whole plane.
   FaceFields core_normal;
-  double box_length, box_width; ///< sizes of the box that short waves do not leave
+  double box_length, box_width; ///< of the box that holds the short waves [m]
   PlaneWaves long_waves, short_waves;
-  std::optional<RowStrains> core_rows, electrode_rows; ///< of the short waves
-  std::optional<double> rows_at;                       ///< for which they are made [m]
+  std::optional<RowStrains> core_rows, electrode_rows; ///< sums of the short waves over rows
+  /// Slider's position along y of those sums [m].
+  std::optional<double> rows_at;
 
   Parts(const FieldSkin& layered, const ContactGrid& contact, const std::vector<double>& heights,
         double column, const WaveSplit& waves, const ComponentChoice& components,
@@ -170,7 +174,8 @@ struct SkinFields::Parts {
     return mode_means(from_corner(cells.y, centre_y - box.y), waves.step_y(), waves.modes_y());
   }
 
-  /// Box in which short waves go under a slider: they see faces that are nearer than the reach.
+  /// Box that holds the short waves of a slider. It ends at faces of the skin that are nearer than
+  /// the reach, so that these waves are mirrored there.
   PlaneBox short_box(const std::array<double, 2>& centre) const {
     const double x = centre[0] + 0.5 * (cells.x.front() + cells.x.back()),
                  y = cells.half ? centre[1] : centre[1] + 0.5 * (cells.y.front() + cells.y.back());
@@ -185,10 +190,10 @@ struct SkinFields::Parts {
             of_rows(waves, box, centre[1])};
   }
 
-  /// Force that a level of the core carries over the whole plane. Of the waves on rollers the even
-  /// load alone has a mean normal stress: that of the forces.
-  /// @param core with the whole plane as the last place along x and y
-  /// @param normal force on the cells [N]
+  /// Calculates the force over the whole plane at each level of the core. Of the modes on rollers,
+  /// only the uniform one has a mean normal stress, which is that of the forces.
+  /// @param core_strain strain with the whole plane as the last place along x and y
+  /// @param normal force on all cells [N]
   std::vector<std::array<double, 3>> force_through_levels(const ByKind& core_strain,
                                                           const FieldPlaces& places, double normal,
                                                           const FaceMotion& motion) const {
@@ -213,8 +218,8 @@ struct SkinFields::Parts {
     return result;
   }
 
-  /// Forces of the long waves as the faces count them: with the odd modes, though they are 0, of a
-  /// mirrored load.
+  /// Sums the forces by the modes of the long waves, in the layout that the faces expect: for a
+  /// symmetric load, with the odd modes across the skin, which are 0.
   std::array<Eigen::MatrixXd, 3> on_faces(const WaveLoads& loads) const {
     const Eigen::Index modes_x = long_waves.modes_x(), modes_y = long_waves.modes_y();
     std::array<Eigen::MatrixXd, 3> result;

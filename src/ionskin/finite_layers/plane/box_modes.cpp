@@ -62,7 +62,7 @@ BoxModes::BoxModes(const SurfaceCompliance& surface, double length, double width
 std::vector<Eigen::MatrixXd> BoxModes::rows(const ContactGrid& grid, double centre_y) const {
   const ModeTransform transform = y_.transform(grid.y, centre_y);
   const Eigen::Index count = grid.rows();
-  // Odd modes do not occur in a mirrored load.
+  // A symmetric load has no odd modes.
   const auto occur = Eigen::seq(0, y_.wave_numbers.size() - 1, grid.half ? 2 : 1);
   const double images = grid.half ? 2 : 1;
   const auto along = [&](Eigen::Index component) -> Eigen::MatrixXd { // [row, mode]
@@ -99,7 +99,8 @@ void add_modes(const std::vector<Eigen::MatrixXd>& rows, const ModeLine& along_x
   Eigen::MatrixXd pairs(nx * nx, modes), of_rows(modes, ny * ny);
   for (Eigen::Index a = 0; a < 3; ++a) {
     for (Eigen::Index b = a; b < 3; ++b) {
-      // A product of two waves is half one of their difference and half one of their sum.
+      // A product of two waves is half the wave of the difference of their arguments and half the
+      // wave of the sum.
       const double sign = ((a == 1) == (b == 1)) == (part == ModePart::alike) ? 1 : -1;
       const auto own = [&](Eigen::Index c) -> const Eigen::ArrayXXd& {
         return c == 1 ? transform.sine : transform.cosine;

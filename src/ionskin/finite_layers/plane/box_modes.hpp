@@ -11,48 +11,55 @@
 
 namespace ionskin::finite_layers {
 
-/// Means of cos and sin of the modes of one direction over the columns or rows of a grid,
-/// [column or row, mode].
+/// Means of the cosine and of the sine of each mode along one direction over each column or row of
+/// cells, [column or row, mode] [1].
 struct ModeTransform {
   Eigen::ArrayXXd cosine, sine;
 };
 
-/// Modes m pi / extent along one direction of the skin, m = 0, 1, ...
+/// Modes of the skin along one direction, with the wave numbers m pi / extent, m = 0, 1, ...
 struct ModeLine {
-  double extent = 0;           ///< of the skin [m]
+  double extent = 0;           ///< size of the skin in this direction [m]
   Eigen::ArrayXd wave_numbers; ///< [1/m]
-  Eigen::ArrayXd weights;      ///< 1 for m = 0 and 2 beyond, over the extent [1/m]
+  Eigen::ArrayXd weights;      ///< 1/extent for m = 0 and 2/extent for m > 0 [1/m]
 
-  /// Modes of a direction up to a wave number.
+  /// Makes all modes of a direction up to a wave number.
+  /// @param extent size of the skin in this direction [m]
   /// @param last largest wave number [1/m]
   static ModeLine up_to(double extent, double last);
-  /// Means of the modes over the cells between lines, with the slider at a place.
-  /// @param lines of cells from the slider's centre [m]
-  /// @param centre of the slider [m]
+  /// Calculates the means of the modes over the cells between grid lines, for one position of the
+  /// slider.
+  /// @param lines of the cells, measured from the slider's centre, ascending [m]
+  /// @param centre position of the slider's centre, measured from the skin's corner [m]
   ModeTransform transform(const std::vector<double>& lines, double centre) const;
 };
 
-/// The share of long waves in the surface compliance of a skin whose four
-/// side faces are held by rollers: displacements along the face are sines and cosines that meet
-/// them, docs/model.md (48), (54). Its mirror images in the faces come with it.
+/// Modes of a skin whose four side faces are held by rollers: displacements along the top face are
+/// sines and cosines that meet this boundary condition exactly, docs/model.md (48). They carry the
+/// share of long waves in the compliance of the top face (54). Mirror images of the load in the
+/// four faces are included.
 class BoxModes {
 public:
+  /// Makes the modes that the long waves of `split` need.
+  /// @param length,width of the skin [m]
   BoxModes(const SurfaceCompliance& surface, double length, double width, const WaveSplit& split);
 
   const ModeLine& along_x() const { return x_; }
   const ModeLine& along_y() const { return y_; }
 
-  /// Compliance of the rows of cells for each mode along x, [3 row + component, the same]: normal,
-  /// x, y, over forces that vary along x like cosine, sine, cosine.
+  /// Calculates the compliance of rows of cells for each mode along x: mean displacements over
+  /// forces, which are normal (downwards), x and y and vary along x like cosine, sine and cosine.
+  /// One matrix per mode, [3 row + component, 3 row + component] [m2/N].
+  /// @param centre_y position of the slider's centre along y, from the skin's corner [m]
   std::vector<Eigen::MatrixXd> rows(const ContactGrid& grid, double centre_y) const;
 
-  /// Compliance of all modes between two components, with their weights along y and their share,
-  /// [mode along x, along y]; the same at every place.
+  /// Compliance of all modes between two components, times the weight of the mode along y and the
+  /// share of long waves. It does not depend on the position of the slider.
   struct Between {
-    Eigen::Index at = 0, from = 0; ///< normal, x or y
-    Eigen::MatrixXd waves;
+    Eigen::Index at = 0, from = 0; ///< component of displacement and of force: 0 normal, 1 x, 2 y
+    Eigen::MatrixXd waves;         ///< [mode along x, mode along y] [m2/N]
   };
-  /// Products of the modes of each two components, each pair once.
+  /// Compliance of all modes for each unordered pair of components; the compliance is symmetric.
   const std::array<Between, 6>& between() const { return between_; }
 
 private:
@@ -60,14 +67,17 @@ private:
   std::array<Between, 6> between_;
 };
 
-/// Part of the modes along x: what does not depend on the place along the skin, as in an endless
-/// one, or what the ends mirror.
+/// Part of the sum over modes along x. `alike` is the part that does not depend on the slider's
+/// position along x, as in a skin without ends; `mirrored` is the part that mirror images in the
+/// two ends add.
 enum class ModePart { alike, mirrored };
 
-/// Adds to the compliance of cells, [3 cell + component], a part of what modes along x do: for
-/// each, the compliance of the rows, as `BoxModes::rows` gives them.
-/// @param share of each of the first modes that counts
-/// @param centre_x of the slider; any for the part that does not depend on it [m]
+/// Adds one part of the sum over the modes along x to the compliance matrix of the cells, [3 cell +
+/// component, 3 cell + component] [m/N].
+/// @param rows compliance of the rows of cells for each mode along x, from `BoxModes::rows`
+/// @param share factor on each of the first modes along x [1]; further modes are left out
+/// @param centre_x position of the slider's centre along x, from the skin's corner [m]; any value
+/// for `ModePart::alike`
 void add_modes(const std::vector<Eigen::MatrixXd>& rows, const ModeLine& along_x, ModePart part,
                const Eigen::ArrayXd& share, const ContactGrid& grid, double centre_x,
                Eigen::MatrixXd& compliance);

@@ -45,7 +45,7 @@ void CellConvolution::include(const PlaneCompliance& body, const std::vector<Row
         continue;
       }
       any = true;
-      // The first row, seen from the first of the image.
+      // Position along y of the first row of the grid, seen from the first row of the image.
       const double first = (turned ? grid_.y.front() + grid_.y.back() : 0.0) - image.shift;
       for (Eigen::Index j = 1 - rows; j < rows; ++j) {
         const double y = first + static_cast<double>(j) * height;

@@ -11,33 +11,42 @@
 
 namespace ionskin::finite_layers {
 
-/// Forces on, or mean displacements of, the cells of a grid: normal, x, y, each [column, row].
+/// Forces on the cells of a grid [N], or mean displacements of the cells [m]: normal (downwards),
+/// x, y, each [column, row].
 using CellFields = std::array<Eigen::MatrixXd, 3>;
 
-/// True if all columns of a grid are equally wide, and all rows, to rounding.
+/// True if all columns of a grid are equally wide, and all rows equally high, but for rounding.
 bool is_even(const ContactGrid& grid);
 
-/// Products of `plane_compliance` with forces on an even grid, without its matrix: the compliance
-/// of two cells depends on their distance alone, and that of mirrored cells on the distance from
-/// where they lie, so that products are convolutions.
+/// Product of the compliance matrix of `plane_compliance` with forces on a grid of equally large
+/// cells, without forming the matrix. The compliance between two cells depends only on their
+/// distance, and between a cell and a mirror image only on the distance to the image, so that the
+/// products are convolutions by fast Fourier transforms.
 class CellConvolution {
 public:
-  /// @param grid of even cells, see `is_even`
+  /// Makes an empty convolution, to which `include` adds compliances.
+  /// @param grid of equally large cells, see `is_even`
   explicit CellConvolution(const ContactGrid& grid);
 
-  /// Adds the compliance of a body whose images act, as `plane_compliance` has it.
-  /// @param mixed factor of what is between normal and tangential components
+  /// Adds the compliance of one body, such as the skin or a soft slider.
+  /// @param images whose forces act on the cells, as `plane_compliance` takes them
+  /// @param mixed factor on the compliance between normal and tangential components [1]
   void include(const PlaneCompliance& body, const std::vector<RowImage>& images, double mixed = 1);
 
-  /// Adds the displacements by forces.
+  /// Adds the displacements that forces cause.
+  /// @param forces on the cells [N]
+  /// @param displacements to which the result is added [m]
   void add(const CellFields& forces, CellFields& displacements) const;
+  /// Columns of the grid of cells.
   Eigen::Index columns() const { return grid_.columns(); }
+  /// Rows of the grid of cells.
   Eigen::Index rows() const { return grid_.rows(); }
-  /// Compliance of a cell against its own force, without images: normal, x, y [m/N].
+  /// Compliance of each cell against its own force, without mirrored images: normal, x, y [m/N].
   const std::array<double, 3>& own() const { return own_; }
 
 private:
-  /// Between normal and normal, normal and x, normal and y, x and x, x and y, y and y.
+  /// Transformed compliances of the pairs of components normal-normal, normal-x, normal-y, x-x,
+  /// x-y, y-y.
   using Kernel = std::array<GridFourier::Spectrum, 6>;
   GridFourier::Spectrum mirrored(const GridFourier::Spectrum& of_forces) const;
   static void add_product(const Kernel& kernel, const std::array<GridFourier::Spectrum, 3>& forces,
@@ -45,7 +54,7 @@ private:
 
   ContactGrid grid_;
   GridFourier fourier_;
-  Kernel direct_, mirrored_; ///< empty where nothing is mirrored
+  Kernel direct_, mirrored_; ///< `mirrored_` is empty where no image is mirrored
   std::array<double, 3> own_{};
 };
 

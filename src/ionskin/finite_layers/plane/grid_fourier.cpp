@@ -6,7 +6,8 @@
 namespace ionskin::finite_layers {
 namespace {
 
-/// The next multiple of 4 whose other factors are 2, 3 and 5, which transforms are fast for.
+/// Smallest multiple of 4, not below `least`, with no prime factors other than 2, 3 and 5.
+/// Transforms of such sizes are fast.
 Eigen::Index fast_size(Eigen::Index least) {
   for (Eigen::Index size = (least + 3) / 4 * 4;; size += 4) {
     Eigen::Index rest = size;
@@ -21,7 +22,7 @@ Eigen::Index fast_size(Eigen::Index least) {
   }
 }
 
-/// Keeps the factors of the sizes that a thread has transformed.
+/// Transformer of this thread, which stores its factors for each size that it has transformed.
 Eigen::FFT<double>& transformer() {
   thread_local Eigen::FFT<double> fft(Eigen::FFT<double>::impl_type(),
                                       Eigen::FFT<double>::HalfSpectrum);

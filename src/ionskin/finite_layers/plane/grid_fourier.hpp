@@ -5,21 +5,25 @@
 
 namespace ionskin::finite_layers {
 
-/// Discrete Fourier transforms of fields on an even grid of cells, on a grid at least twice as long
-/// and wide, so that products of transforms are convolutions that do not wrap around.
+/// Discrete Fourier transforms of fields on a grid of equally large cells. Fields are padded with
+/// zeros to a grid at least twice as long and wide, so that products of transforms are convolutions
+/// that do not wrap around.
 class GridFourier {
 public:
+  /// Chooses the padded sizes.
+  /// @param columns,rows of the grid of cells
   GridFourier(Eigen::Index columns, Eigen::Index rows);
 
-  Eigen::Index columns() const { return columns_; } ///< of the larger grid
-  Eigen::Index rows() const { return rows_; }
+  Eigen::Index columns() const { return columns_; } ///< of the padded grid
+  Eigen::Index rows() const { return rows_; }       ///< of the padded grid
 
-  /// [wave along y, wave along x], of the second those up to half of the columns.
+  /// Transform of a real field, [wave along y, wave along x]. Waves along x end at half the number
+  /// of columns, as those above are complex conjugates.
   using Spectrum = Eigen::ArrayXXcd;
-  /// Transform of a field that fills the first columns and rows.
-  /// @param field [column, row], of the first of them; others are 0
+  /// Transforms a field forwards.
+  /// @param field [column, row], at most as large as the padded grid, whose remainder is 0
   Spectrum forward(const Eigen::MatrixXd& field) const;
-  /// The first columns and rows of a field.
+  /// Transforms back, and returns the first columns and rows of the field, [column, row].
   Eigen::MatrixXd back(const Spectrum& spectrum, Eigen::Index columns, Eigen::Index rows) const;
 
 private:

@@ -7,24 +7,24 @@
 namespace ionskin::finite_layers {
 namespace {
 
-/// arsinh(a/|b|), 0 where it is multiplied by a power of b = 0.
+/// arsinh(a/|b|), or 0 for b = 0, where callers multiply it by a power of b.
 double arsinh_ratio(double a, double b) {
   return b == 0 ? 0.0 : std::asinh(a / std::abs(b));
 }
 
-/// arctan(a/b), of which the same holds.
+/// arctan(a/b), or 0 for b = 0, where callers multiply it by a power of b.
 double arctan_ratio(double a, double b) {
   return b == 0 ? 0.0 : std::atan(a / b);
 }
 
-/// Integral of u/r^2, once more along u and twice along v, up to what differences do away with.
+/// Integral of u/r^2, twice along u and twice along v, up to terms that cancel in differences.
 double integral_of_u(double u, double v, double square) {
   const double logarithm = square == 0 ? 0.0 : 0.5 * std::log(square);
   return (u * v * v / 2 - u * u * u / 6) * logarithm + v * v * v / 6 * arctan_ratio(u, v) +
          u * u * v / 2 * arctan_ratio(v, u);
 }
 
-/// The kernels, integrated twice along u and twice along v.
+/// Integrates the kernels twice along u and twice along v.
 InverseDistance fourth_integrals(double u, double v) {
   const double square = u * u + v * v, r = std::sqrt(square);
   const double along_u = arsinh_ratio(u, v), along_v = arsinh_ratio(v, u);
@@ -40,7 +40,7 @@ InverseDistance fourth_integrals(double u, double v) {
   return result;
 }
 
-/// Distances of the ends of two intervals, with the signs of the differences.
+/// Distances between the ends of two intervals [m], each with its sign in the difference.
 std::array<std::array<double, 2>, 4> end_distances(const Interval& at, const Interval& from) {
   return {{{at.to - from.from, 1},
            {at.to - from.to, -1},

@@ -7,7 +7,7 @@
 namespace ionskin::finite_layers {
 namespace {
 
-/// Mean of a wave over a cell, over its amplitude.
+/// Mean of a wave over a cell per amplitude [1].
 double mean_over_cell(double wave_number, double size) {
   const double half = 0.5 * wave_number * size;
   return half == 0 ? 1.0 : std::sin(half) / half;
@@ -17,11 +17,11 @@ double mean_over_cell(double wave_number, double size) {
 
 InverseWaves::InverseWaves(const ContactGrid& grid, const std::vector<WavesOfBody>& bodies)
     : half_(grid.half), fourier_(grid.columns(), grid.rows()) {
-  constexpr int orders = 1; // of waves that look alike on the cells, to either side
+  constexpr int orders = 1; // of aliased waves to either side, identical on the cells
   const double width = grid.column(0).size(), height = grid.row(0).size(), area = width * height;
   const double step_x = 2 * std::numbers::pi / (width * static_cast<double>(fourier_.columns())),
                step_y = 2 * std::numbers::pi / (height * static_cast<double>(fourier_.rows()));
-  const double least = 0.5 * std::min(step_x, step_y); // in the place of 0
+  const double least = 0.5 * std::min(step_x, step_y); // replaces wave number 0
   const Eigen::Index nx = fourier_.columns() / 2 + 1, ny = fourier_.rows();
   for (Eigen::ArrayXXd* part : {&normal_, &xx_, &xy_, &yy_}) {
     part->resize(ny, nx);
@@ -54,7 +54,7 @@ InverseWaves::InverseWaves(const ContactGrid& grid, const std::vector<WavesOfBod
   }
 }
 
-/// Values with their mirror image behind the last row of a half grid.
+/// Continues the values of a half grid by their mirror image, times `sign`, behind the last row.
 Eigen::MatrixXd InverseWaves::whole(const Eigen::MatrixXd& half, double sign) const {
   if (!half_) {
     return half;

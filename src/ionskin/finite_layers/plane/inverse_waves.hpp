@@ -10,20 +10,26 @@
 
 namespace ionskin::finite_layers {
 
-/// Compliance of a face over the wave number [1/m].
+/// Compliance of the face of a body as a function of the wave number [1/m].
 using WavesOfBody = std::function<WaveCompliance(double)>;
 
-/// About the inverse of the compliance of the cells of an even grid: of bodies without ends,
-/// pressed over and over again at some distance, wave by wave. Normal and tangential parts are not
-/// mixed.
+/// Approximate inverse of the compliance of equally large cells in a grid, used to precondition an
+/// iterative solver. It treats the bodies as having no ends and the load as repeated periodically,
+/// so that it inverts the compliance wave by wave. Coupling between normal and tangential
+/// components is left out.
 class InverseWaves {
 public:
-  /// @param bodies whose compliances are summed
+  /// Inverts the summed compliance of all bodies for each wave.
+  /// @param bodies such as the skin and a soft slider
   InverseWaves(const ContactGrid& grid, const std::vector<WavesOfBody>& bodies);
 
-  /// Normal forces that displace the cells [N].
+  /// Estimates the normal forces on the cells that cause given normal displacements, [column, row]
+  /// [N].
+  /// @param displacement downwards, [column, row] [m]
   Eigen::MatrixXd normal(const Eigen::MatrixXd& displacement) const;
-  /// Tangential forces along x and along y.
+  /// Estimates the tangential forces along x and along y that cause given tangential displacements,
+  /// each [column, row] [N].
+  /// @param displacement along x and along y, each [column, row] [m]
   std::array<Eigen::MatrixXd, 2>
   tangential(const std::array<Eigen::MatrixXd, 2>& displacement) const;
 
@@ -32,7 +38,8 @@ private:
 
   bool half_;
   GridFourier fourier_;
-  Eigen::ArrayXXd normal_, xx_, xy_, yy_; ///< [N/m]
+  /// Inverse compliances, [wave along y, wave along x] [N/m].
+  Eigen::ArrayXXd normal_, xx_, xy_, yy_;
 };
 
 } // namespace ionskin::finite_layers

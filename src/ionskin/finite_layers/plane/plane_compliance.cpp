@@ -11,15 +11,16 @@
 namespace ionskin::finite_layers {
 namespace {
 
-/// Cells this many of their sizes apart act like a few points: to 4e-6 of their compliance.
+/// Distance of two cells over their size beyond which a few points represent them, to 4e-6 of their
+/// compliance.
 constexpr double far_apart = 6;
 
-/// A distance between two places of two intervals, with its share of all pairs.
+/// Distance between two points of two intervals [m], with its weight among all pairs [1].
 struct Distance {
   double value = 0, weight = 0;
 };
 
-/// Two Gauss points in each of the intervals.
+/// Lists the distances between two Gauss points in each of the intervals.
 std::vector<Distance> few_distances(const Interval& at, const Interval& from) {
   const double offset = 0.5 / std::sqrt(3.0);
   std::vector<Distance> result;
@@ -31,15 +32,16 @@ std::vector<Distance> few_distances(const Interval& at, const Interval& from) {
   return result;
 }
 
-/// Density of the distances between places of two intervals [1/m]: a trapezoid.
+/// Density of the distances between points of two intervals [1/m]; its graph is a trapezoid.
 double density(const Interval& at, const Interval& from, double distance) {
   const double overlap =
       std::min(at.to, from.to + distance) - std::max(at.from, from.from + distance);
   return std::max(0.0, overlap) / (at.size() * from.size());
 }
 
-/// Gauss points between the corners of that trapezoid, the closer to 0 the denser: what is summed
-/// varies over its distance from 0, or over `finest` where that is longer.
+/// Lists Gauss points for an integral over the distances between two intervals. Panels end at the
+/// corners of the trapezoid and become shorter towards 0, as the integrand varies over a length
+/// equal to the distance, or over `finest` where that is longer.
 std::vector<Distance> distances(const Interval& at, const Interval& from, double finest) {
   using Rule = boost::math::quadrature::gauss<double, 4>;
   std::vector<double> breaks{at.from - from.to, at.from - from.from, at.to - from.to,
@@ -81,7 +83,7 @@ void add(double normal, double isotropic, double cosine, double sine, double mix
   sum(2, 0) -= mixed_v;
 }
 
-/// Adds what is radial, at (u, v) from the force.
+/// Adds the compliance at the point (u, v) from the force [m] to a sum.
 void add_radial(const RadialCompliance& at, double u, double v, double weight,
                 CellCompliance& sum) {
   const double square = u * u + v * v, r = std::sqrt(square);
@@ -123,7 +125,7 @@ CellCompliance plane_compliance(const PlaneCompliance& skin, const Interval& x_a
         half_space.mixed * mean.u, half_space.mixed * mean.v, sum);
   }
   if (!far && std::isinf(skin.finest())) {
-    return sum; // the half-space is all
+    return sum; // the body is a half-space
   }
   const std::vector<Distance> along_x =
       far ? few_distances(x_at, x_from) : distances(x_at, x_from, skin.finest());
@@ -163,7 +165,7 @@ std::vector<RowImage> images_between(const ContactGrid& grid, double low, double
   const auto most = static_cast<int>(std::ceil((reach + period) / period));
   for (int i = -most; i <= most; ++i) {
     for (const RowImage& one : own) {
-      // Images of the cells as they are, and of the cells mirrored at the lower mirror.
+      // Shifted images of the cells, and images reflected in the lower mirror.
       const RowImage moved{one.mirrored, i * period}, turned{!one.mirrored, 2 * low + i * period};
       for (const RowImage& image : {moved, turned}) {
         const bool itself = image.shift == 0 && image.mirrored == one.mirrored && i == 0;

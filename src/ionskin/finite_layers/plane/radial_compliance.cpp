@@ -13,13 +13,13 @@
 namespace ionskin::finite_layers {
 namespace {
 
-/// The table is even in ln(r + offset), with this offset over the finest length.
+/// Offset over the finest length, for a table that is uniform in ln(r + offset).
 constexpr double offset_share = 0.5;
 constexpr double intervals_of_distance = 100;
-/// Waves of more than this number over the distance cancel, as the compliance varies slowly there.
+/// Wave number times distance above which waves cancel, as the compliance varies slowly there.
 constexpr double cancelling = 120;
 
-/// Compliance of short waves less that of the half-space, times the wave number [1/Pa].
+/// Compliance of short waves minus the half-space's, times the wave number [1/Pa].
 WaveCompliance remainder(const SurfaceCompliance& surface, const WaveSplit& split, double k) {
   const WaveCompliance at = surface.at(k), &half_space = surface.half_space();
   const double share = split.short_share(k) * k;
@@ -27,13 +27,15 @@ WaveCompliance remainder(const SurfaceCompliance& surface, const WaveSplit& spli
           share * at.across - half_space.across, share * at.mixed - half_space.mixed};
 }
 
-/// 1 for waves that are summed, falling to 0 between `cancelling` and twice that over the distance.
+/// Weight of a wave: 1 below `cancelling`, falling smoothly to 0 at twice that value.
+/// @param argument wave number times distance [1]
 double taper(double argument) {
   const double t = std::clamp(argument / cancelling - 1, 0.0, 1.0);
   return 1 - t * t * t * (10 - t * (15 - 6 * t));
 }
 
-/// Inverse Hankel transforms at a distance: integrals over k of the remainder with J_0, J_1, J_2.
+/// Calculates the inverse Hankel transforms at a distance: integrals over k of the remainder with
+/// the Bessel functions J_0, J_1, J_2 [m/N].
 RadialCompliance transform(const SurfaceCompliance& surface, const WaveSplit& split,
                            double distance) {
   using Rule = boost::math::quadrature::gauss<double, 10>;

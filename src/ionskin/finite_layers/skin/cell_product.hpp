@@ -11,19 +11,27 @@
 
 namespace ionskin::finite_layers {
 
-/// The compliance of the cells of an even grid as products with forces on them, for cells too many
-/// for a matrix. Vectors are [3 cell + component]: normal, x, y. Thread-safe.
+/// Compliance of equally large cells in a grid, given as products with forces on the cells. It
+/// replaces the matrix where the cells are too many for one. Vectors are [3 cell + component] with
+/// the components normal (downwards), x, y. Thread-safe.
 class CellProduct {
 public:
+  /// Joins the parts for one position of the slider.
+  /// @param inverse approximate inverse of the compliance, for preconditioning
   CellProduct(std::shared_ptr<const CellConvolution> short_waves, LongWaves long_waves,
               std::shared_ptr<const InverseWaves> inverse);
 
-  /// Displacements by forces [m].
+  /// Calculates the mean displacements of the cells [m] that forces cause.
+  /// @param forces on the cells [N]
   std::vector<double> times(const std::vector<double>& forces) const;
-  /// About that of any cell by its own force: normal, x, y [m/N].
+  /// Estimate of the compliance of a cell against its own force, used for all cells: normal, x, y
+  /// [m/N].
   const std::array<double, 3>& own() const { return own_; }
-  /// About the forces that make displacements, of one kind by themselves, in their place [N].
+  /// Replaces normal displacements [m] by an estimate of the normal forces [N] that cause them;
+  /// leaves the tangential components as they are.
   void invert_normal(std::vector<double>& values) const;
+  /// Replaces tangential displacements [m] by an estimate of the tangential forces [N] that cause
+  /// them; leaves the normal components as they are.
   void invert_tangential(std::vector<double>& values) const;
 
 private:

@@ -18,7 +18,7 @@ std::size_t core_index(const Skin& skin) {
 
 using Box = std::shared_ptr<const LayerBox>;
 
-/// A box that one thread makes and others may wait for.
+/// Stored box, which one thread makes while others may wait for it.
 struct KeptBox {
   std::optional<LayerBoxKey> key;
   std::shared_future<Box> box;

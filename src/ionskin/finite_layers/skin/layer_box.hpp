@@ -17,24 +17,28 @@
 
 namespace ionskin::finite_layers {
 
-/// Key of a box of layers: every property that distinguishes it.
+/// Key of a `LayerBox`: every property in which two of them can differ.
 struct LayerBoxKey {
   std::vector<ElasticLayer> layers; ///< bottom to top
-  std::size_t core = 0;             ///< index of the layer
+  std::size_t core = 0;             ///< index of the core in `layers`
   double length = 0, width = 0;     ///< [m]
-  bool free_sides = true;           ///< or rollers
-  bool mirrored = false;            ///< loaded alike on both sides of the middle of the width alone
+  bool free_sides = true;           ///< true: sides free of stress; false: sides on rollers
+  /// True if all loads are symmetric about the middle of the width, so that odd modes are not made.
+  bool mirrored = false;
   SkinResolution resolution;
 
+  /// Collects the key from a skin.
+  /// @param mirrored_loads value of `mirrored`
   LayerBoxKey(const Skin& skin, const SkinResolution& resolved, bool mirrored_loads);
   bool operator==(const LayerBoxKey&) const = default;
 };
 
-/// A skin on its rigid base without anything on it: all that does not depend on contact cells.
-/// Thread-safe.
+/// Skin on its rigid base without a load: all operators that do not depend on the contact cells,
+/// and are therefore shared by all sliders on the skin. Thread-safe.
 class LayerBox {
 public:
-  /// @param threads that make it
+  /// Makes all operators.
+  /// @param threads number of threads to use
   LayerBox(LayerBoxKey made_of, int threads);
   LayerBox(const LayerBox&) = delete; // its parts point at each other
   LayerBox& operator=(const LayerBox&) = delete;
@@ -44,12 +48,14 @@ public:
   PlaneCompliance short_waves;
   BoxModes modes;
   ThicknessColumn column;
-  std::optional<FreeSides> sides; ///< none where rollers hold them
+  std::optional<FreeSides> sides; ///< empty where rollers hold the sides
   std::optional<FreeEnds> ends;
-  FieldSkin fields; ///< the same for its fields
+  FieldSkin fields; ///< pointers to these parts, for the calculation of strains
 };
 
-/// The box that was asked for last is kept: many contacts on one skin share it.
+/// Makes the box of a key, or returns the stored one if the last call had the same key: many
+/// contacts on one skin share a box.
+/// @param threads number of threads to use
 std::shared_ptr<const LayerBox> layer_box(const LayerBoxKey& key, int threads);
 
 } // namespace ionskin::finite_layers

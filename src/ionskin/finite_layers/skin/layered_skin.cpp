@@ -9,7 +9,8 @@ namespace ionskin::finite_layers {
 
 namespace {
 
-/// The smaller of two lengths, or up to 8 % less where they are alike: without a bend between.
+/// Smaller of two lengths, reduced by up to 8 % where both are similar, so that the result is
+/// smooth.
 double smaller(double one, double other) {
   const double least = std::max(0.0, std::min(one, other));
   return least / std::pow(1 + std::pow(least / std::max(one, other), 8), 1.0 / 8);
@@ -35,7 +36,7 @@ LongWaves LayeredSkin::long_waves(const std::array<double, 2>& centre) const {
   return {box_, grid_, centre, near_ends(clearance_of_ends(grid_, centre[0]))};
 }
 
-// The nearer of both sliders tells what the ends do between them.
+// The slider that is nearer to an end decides which modes the ends contribute.
 CellFields LayeredSkin::moved_by(const ContactGrid& other,
                                  const std::array<double, 2>& other_centre,
                                  const CellFields& forces,
@@ -83,9 +84,9 @@ LayeredSkin::Across LayeredSkin::across(double centre_y) const {
   return result;
 }
 
-// An image lies twice as far away as the end that it is mirrored in: waves that end before it do
-// not count. Single waves do not fall with the distance from the ends, only their sum does: each
-// share ends so late that forces do not jump where it does.
+// An image is twice as far away as the end that mirrors it: waves whose response ends before that
+// distance do not count. Single waves do not decay with the distance from the ends, only their sum
+// does. Each share is therefore cut off so late that forces do not jump where it ends.
 NearEnds LayeredSkin::near_ends(double clearance) const {
   constexpr double least_share = 1e-6;
   const Eigen::ArrayXd& waves = box_->modes.along_x().wave_numbers;
@@ -93,7 +94,7 @@ NearEnds LayeredSkin::near_ends(double clearance) const {
   const double reach = std::max(resolution.reach, 2 * clearance);
   const WaveSplit split(reach, resolution.split_tolerance);
   NearEnds result{Eigen::ArrayXd::Ones(waves.size()), resolution.face_waves / reach};
-  if (reach > resolution.reach) { // else the modes have this share already
+  if (reach > resolution.reach) { // otherwise the modes have this share already
     const Eigen::ArrayXd share = waves.unaryExpr([&](double k) { return split.long_share(k); });
     result.share = share.head((share >= least_share).count());
   }

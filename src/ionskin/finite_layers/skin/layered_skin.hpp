@@ -18,63 +18,83 @@
 
 namespace ionskin::finite_layers {
 
-/// The compliance of the cells as a matrix, or as `CellProduct`.
+/// Form in which the compliance of the contact cells is given: a matrix, or products by
+/// `CellProduct`.
 enum class ComplianceForm { matrix, products };
 
-/// A skin under the cells of a slider: a box of even layers on a rigid base, its ends free of
-/// stress, its sides free or held by rollers. What depends on the skin and the cells alone is made
-/// once; the compliance of the cells follows for any place of the slider. Thread-safe.
+/// Skin under the contact cells of a slider: a box of uniform layers on a rigid base, with its ends
+/// free of stress and its sides free or held by rollers. All operators that depend only on the skin
+/// and the cells are made once; the compliance of the cells then follows for any position of the
+/// slider. Thread-safe.
 class LayeredSkin {
 public:
-  /// @param threads that compute the parts that no skin before has computed
-  /// @param form in which the compliance of the cells is asked for
+  /// Makes the operators of the skin, or takes them from the last `LayerBox` if its key was the
+  /// same.
+  /// @param grid of the contact cells
+  /// @param threads number of threads to use
+  /// @param form of the compliance; `products` makes no matrix of short waves
   LayeredSkin(const Skin& skin, ContactGrid grid, const SkinResolution& resolution, int threads = 1,
               ComplianceForm form = ComplianceForm::matrix);
 
   const ContactGrid& grid() const { return grid_; }
 
-  /// The skin with the slider at one place across it.
+  /// Skin with the slider at one position across the skin.
   class Across {
   public:
-    /// Mean displacements of the cells over the forces on them, [3 cell + component]: normal
-    /// (downwards), x, y, symmetric [m/N].
-    /// @param centre_x of the slider [m]
+    /// Calculates the compliance of the cells: mean displacements per force on a cell, a symmetric
+    /// matrix [3 cell + component, 3 cell + component] with the components normal (downwards), x, y
+    /// [m/N].
+    /// @param centre_x position of the slider's centre along x, from the skin's corner [m]
     Eigen::MatrixXd compliance(double centre_x) const;
 
   private:
     friend class LayeredSkin;
     const LayeredSkin* skin_ = nullptr;
-    std::vector<Eigen::MatrixXd> rows_; ///< of each mode along the skin
+    /// Compliance of the rows of cells for each mode along x, [3 row + component, 3 row +
+    /// component] [m2/N].
+    std::vector<Eigen::MatrixXd> rows_;
     FreeEnds::Rows ends_;
-    Eigen::MatrixXd alike_; ///< the part that does not depend on the place along the skin [m/N]
+    /// Part of the compliance that does not depend on the position along x [m/N].
+    Eigen::MatrixXd alike_;
   };
-  /// The skin with the slider's centre at a place across it.
-  /// @param centre_y of the slider [m]; the skin outlives the result
+  /// Fixes the position of the slider across the skin.
+  /// @param centre_y position of the slider's centre along y, from the skin's corner [m]
+  /// @returns a view that must not outlive this skin
   Across across(double centre_y) const;
 
-  /// Strains within the skin, at some heights, under forces on the cells.
-  /// @param heights,column,components,across as of SkinFields; the skin outlives the result
+  /// Makes the operators for strains within the skin under forces on the cells.
+  /// @param heights,column,components,across as the constructor of `SkinFields` takes them
+  /// @param threads number of threads to use
+  /// @returns an object that must not outlive this skin
   SkinFields fields(const std::vector<double>& heights, double column,
                     const ComponentChoice& components = all_components,
                     const std::optional<PlacesAcross>& across = std::nullopt,
                     int threads = 1) const;
+  /// Layers, bottom to top.
   const std::vector<ElasticLayer>& layers() const { return box_->key.layers; }
   /// True if rollers hold the sides, which then carry forces across the skin.
   bool sides_on_rollers() const { return !box_->key.free_sides; }
 
-  /// Parts of the skin that `CellProduct` takes: its short waves and their images in sides on
-  /// rollers, which depend on the place across it; its long waves with the slider at a place [m];
-  /// and its compliance over the wave number.
+  /// Short-wave share of the skin's compliance, for `CellConvolution`.
   const PlaneCompliance& short_waves() const { return box_->short_waves; }
+  /// Mirror images of the cells in the sides, as far as short waves reach them; empty where the
+  /// sides are free.
+  /// @param centre_y position of the slider's centre along y, from the skin's corner [m]
   std::vector<RowImage> images_in_sides(double centre_y) const;
+  /// Long-wave share of the compliance, for `CellProduct`, with the slider at one position.
+  /// @param centre position of the slider's centre along x and y, from the skin's corner [m]
   LongWaves long_waves(const std::array<double, 2>& centre) const;
+  /// Compliance of the top face as a function of the wave number, for `InverseWaves`.
   WavesOfBody waves() const;
 
-  /// Distance beyond which short waves do not reach [m].
+  /// Distance from a force beyond which short waves are not felt [m].
   double reach() const { return box_->key.resolution.reach; }
-  /// Displacement of the cells with the slider at a place by forces on those of another slider,
-  /// which lies farther away than `reach`, docs/model.md (54), (56), (57) [m].
-  /// @param other its cells, none of them mirrored
+  /// Calculates the mean displacements of the cells caused by forces on the cells of another
+  /// slider, [column, row] [m]. Only long waves are counted, docs/model.md (54), (56), (57), so
+  /// that the sliders must be farther apart than `reach`.
+  /// @param other cells of the other slider; not a half grid
+  /// @param other_centre,centre positions of both sliders' centres, from the skin's corner [m]
+  /// @param forces on the cells of the other slider [N]
   CellFields moved_by(const ContactGrid& other, const std::array<double, 2>& other_centre,
                       const CellFields& forces, const std::array<double, 2>& centre) const;
 
@@ -84,7 +104,7 @@ private:
 
   ContactGrid grid_;
   std::shared_ptr<const LayerBox> box_;
-  Eigen::MatrixXd short_compliance_; ///< of the cells [m/N]
+  Eigen::MatrixXd short_compliance_; ///< short waves between the cells [m/N]; empty with `products`
 };
 
 } // namespace ionskin::finite_layers

@@ -6,8 +6,9 @@
 
 namespace ionskin::finite_layers {
 
-// A product of two waves along x is half one of their difference, which does not depend on the
-// place, and half one of their sum, of which the ends leave a share.
+// A product of two waves along x is half the wave of the difference of their positions, which does
+// not depend on the slider's position, and half the wave of the sum, of which the ends leave a
+// share.
 LongWaves::LongWaves(std::shared_ptr<const LayerBox> box, const ContactGrid& grid,
                      const std::array<double, 2>& centre, NearEnds near)
     : box_(std::move(box)), near_(std::move(near)), images_(grid.half ? 2 : 1) {
@@ -17,7 +18,7 @@ LongWaves::LongWaves(std::shared_ptr<const LayerBox> box, const ContactGrid& gri
   rows_ = {of_rows.cosine, of_rows.cosine, of_rows.sine};
   for (Eigen::MatrixXd& waves : rows_) {
     for (Eigen::Index n = 1; n < waves.cols() && grid.half; n += 2) {
-      waves.col(n).setZero(); // odd modes do not occur in a mirrored load
+      waves.col(n).setZero(); // a symmetric load has no odd modes
     }
   }
   columns_ = {of_columns.cosine, of_columns.sine, of_columns.cosine};
@@ -28,7 +29,8 @@ LongWaves::LongWaves(std::shared_ptr<const LayerBox> box, const ContactGrid& gri
   weight_beside_ = 0.5 * along_x.weights * (1 - mirrored);
 }
 
-/// Displacement of the modes, for each mode along the skin by those across it.
+/// Calculates the displacements of the modes from their forces. Modes along the skin do not couple;
+/// modes across it couple through the motion of the sides.
 LongWaves::Modes LongWaves::displaced(const Modes& forces) const {
   Modes result;
   for (Eigen::MatrixXd& one : result) {

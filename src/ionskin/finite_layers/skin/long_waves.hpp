@@ -12,40 +12,54 @@
 
 namespace ionskin::finite_layers {
 
-/// Share of the modes that the ends of a skin feel of a slider at a place.
+/// Share of the modes that the ends of a skin still feel from a slider at some distance.
 struct NearEnds {
-  Eigen::ArrayXd share; ///< of the first modes along x
-  double last = 0;      ///< wave number along the ends that counts in full [1/m]
+  Eigen::ArrayXd share; ///< factor on each of the first modes along x [1]; further ones are 0
+  /// Wave number along the ends up to which modes count in full [1/m].
+  double last = 0;
 };
 
-/// Displacement of cells that the long waves of a skin add by the forces on them, with its
-/// sides and ends: products with the second part of its compliance, docs/model.md (54), (56), (57),
-/// by the modes of the columns and of the rows, without its matrix.
+/// Products of the long-wave share of the compliance with forces on the contact cells, for one
+/// position of the slider, docs/model.md (54), (56), (57). Free sides and ends are included. The
+/// products go by the modes of the columns and rows, without forming a matrix.
 class LongWaves {
 public:
-  /// @param centre of the slider [m]
+  /// Calculates the modes of the columns and rows.
+  /// @param centre position of the slider's centre along x and y, from the skin's corner [m]
+  /// @param near share of the modes that the ends feel
   LongWaves(std::shared_ptr<const LayerBox> box, const ContactGrid& grid,
             const std::array<double, 2>& centre, NearEnds near);
 
-  /// Adds the displacements by forces.
+  /// Adds the mean displacements of the cells that forces on them cause.
+  /// @param forces on the cells [N]
+  /// @param displacements to which the result is added [m]
   void add(const CellFields& forces, CellFields& displacements) const;
-  /// Adds those of the cells of another slider on the same skin.
+  /// Adds the mean displacements that forces on these cells cause at the cells of another slider on
+  /// the same skin.
+  /// @param other long waves of the other slider, made of the same `LayerBox`
+  /// @param forces on the cells of this slider [N]
+  /// @param displacements of the cells of the other slider, to which the result is added [m]
   void add_at(const LongWaves& other, const CellFields& forces, CellFields& displacements) const;
-  /// About that of a cell by its own force: normal, x, y [m/N].
+  /// Estimates the compliance of a cell against its own force, from the middle row: normal, x, y
+  /// [m/N].
   std::array<double, 3> own() const;
 
 private:
-  /// [mode along x, along y], normal, x, y.
+  /// Amplitudes of the modes, [mode along x, mode along y], for each of normal, x, y.
   using Modes = std::array<Eigen::MatrixXd, 3>;
   Modes displaced(const Modes& forces) const;
 
   std::shared_ptr<const LayerBox> box_;
   NearEnds near_;
   double images_;
-  std::array<Eigen::MatrixXd, 3> rows_; ///< waves of each component over the rows, [row, n]
-  /// Over the columns, those of the modes and those a quarter of a wave beside them, [column, m].
+  /// Means of the modes along y over the rows, for each component, [row, n] [1].
+  std::array<Eigen::MatrixXd, 3> rows_;
+  /// Means over the columns, [column, m] [1]: `columns_` of the modes along x, `beside_` of the
+  /// same modes shifted by a quarter of a wavelength.
   std::array<Eigen::MatrixXd, 3> columns_, beside_;
-  /// Share of both in what modes along x do: alike at all places, and mirrored at the ends.
+  /// Weights of `columns_` and `beside_` in the sum over the modes along x [1/m]. A part of them
+  /// does not depend on the position, another is mirrored at the ends and counts with
+  /// `NearEnds::share`.
   Eigen::ArrayXd weight_, weight_beside_;
 };
 

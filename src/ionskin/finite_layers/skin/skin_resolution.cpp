@@ -8,8 +8,8 @@
 namespace ionskin::finite_layers {
 namespace {
 
-// Least and largest reach of short waves, over the thickness. The box in which the strain of short
-// waves is summed grows with their reach.
+// Smallest and largest reach of short waves, over the thickness of the skin. The box in which the
+// strain of short waves is summed grows with their reach.
 constexpr double least_reach = 0.75, most_reach = 2.5;
 
 } // namespace
@@ -21,7 +21,7 @@ FaceResolution SkinResolution::face(double length) const {
 
 SkinResolution skin_resolution(const std::vector<ElasticLayer>& layers, const Clearance& clearance,
                                SkinPurpose purpose) {
-  constexpr double thick = 0.2; // over the thickness of all: such a layer bends by itself
+  constexpr double thick = 0.2; // share of the whole thickness; a thicker layer bends by itself
   double thickness = 0;
   for (const ElasticLayer& layer : layers) {
     thickness += layer.thickness;

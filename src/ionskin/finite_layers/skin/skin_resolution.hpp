@@ -9,35 +9,41 @@
 
 namespace ionskin::finite_layers {
 
-/// Clearance of the loaded part of the face from the ends and from the sides of the skin [m].
+/// Distances of the loaded part of the top face from the ends and from the sides of the skin [m].
 struct Clearance {
   double ends = 0, sides = 0;
 };
 
-/// Purpose for which a skin is resolved: results, or only where on it a contact ends, to some
-/// percent.
+/// Purpose for which a skin is resolved. `results` is for reported quantities; `outline` finds only
+/// the border of the contact, to some percent.
 enum class SkinPurpose { results, outline };
 
-/// Resolution of the skin. For results each number doubled changes forces and strains by less than
-/// the tolerance.
+/// Resolution of a skin, made by `skin_resolution`. With `SkinPurpose::results`, doubling any of
+/// its numbers changes forces and strains by less than the tolerance.
 struct SkinResolution {
-  double split_tolerance = 0; ///< of either share of the waves where it is left out [1]
-  double reach = 0;           ///< of short waves [m]
-  /// Wave number up to which waves along a free face count in full, over 1/reach [1].
+  double split_tolerance = 0; ///< relative size at which either share of the waves is neglected [1]
+  double reach = 0;           ///< distance at which short waves end [m]
+  /// Wave number along a free face up to which waves count in full, times `reach` [1].
   double face_waves = 0;
-  int one_by_one = 0;                 ///< modes across the skin that are summed by themselves
-  int degree = 0;                     ///< of the elements through the thickness
-  std::vector<ElementSizes> elements; ///< of each layer
+  /// Number up to which modes across the skin are summed singly.
+  int one_by_one = 0;
+  int degree = 0;                     ///< polynomial degree of the elements through the thickness
+  std::vector<ElementSizes> elements; ///< elements through each layer, bottom to top
 
   bool operator==(const SkinResolution&) const = default;
+  /// Split of the compliance into short and long waves.
   WaveSplit split() const { return {reach, split_tolerance}; }
-  /// Resolution of a free face, along which the skin is so long [m].
+  /// Calculates the resolution of a free face.
+  /// @param length of the skin along the face [m]
   FaceResolution face(double length) const;
 };
 
-/// Short waves reach from the slider to its nearest image in a face, at least over most of the
-/// thickness and at most over some of it: what a face nearer than half of that does to the shorter
-/// waves is left out.
+/// Chooses the resolution of a skin. Short waves reach twice the smaller clearance, which is the
+/// distance from the slider to its nearest mirror image, but at least 0.75 and at most 2.5
+/// thicknesses of the skin. Where a face is nearer than half the reach, its effect on the shorter
+/// waves is neglected.
+/// @param layers bottom to top
+/// @param clearance smallest distances over the whole path of the slider
 SkinResolution skin_resolution(const std::vector<ElasticLayer>& layers, const Clearance& clearance,
                                SkinPurpose purpose = SkinPurpose::results);
 

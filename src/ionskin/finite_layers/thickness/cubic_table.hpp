@@ -8,19 +8,24 @@
 
 namespace ionskin::finite_layers {
 
-/// Four functions of one variable at equal steps, between which cubics through four nodes run.
+/// Table of four functions of one variable, sampled at equally spaced nodes and interpolated by a
+/// cubic polynomial through the four nearest nodes.
 class CubicTable {
 public:
   using Values = Eigen::Array4d;
 
   CubicTable() = default;
-  /// @param values at all nodes, at least four [function, node]
+  /// Makes the table of four functions.
+  /// @param first position of the first node, in units of the variable
+  /// @param step distance between nodes, in units of the variable
+  /// @param values of the functions at all nodes, [function, node], with at least four nodes
   CubicTable(double first, double step, Eigen::Array4Xd values)
       : first_(first), inverse_step_(1 / step), values_(std::move(values)) {}
 
+  /// True if the table was default-constructed and holds no values.
   bool empty() const { return values_.size() == 0; }
-  /// The four functions at a place, by interpolation.
-  /// @param place between the first and the last node
+  /// Interpolates the four functions.
+  /// @param place value of the variable, between the first and the last node
   Values at(double place) const {
     const double steps = (place - first_) * inverse_step_;
     const auto node =

@@ -8,23 +8,23 @@
 namespace ionskin::finite_layers {
 namespace {
 
-/// Displacement of a face over tractions on the top: along the wave and upwards, [component, of the
-/// traction], and across.
+/// Displacement of a face per traction on the top face: along the wave and upwards, [displacement
+/// component, traction component], and across the wave [m/Pa].
 struct FaceResponse {
   Eigen::Matrix2d plane = Eigen::Matrix2d::Zero();
   double across = 0;
 };
 
-/// Responses of all faces, from the base to the top.
+/// Calculates the responses of all faces, from the base to the top.
 std::vector<FaceResponse> face_responses(const std::vector<ElasticLayer>& layers, double k) {
   const std::size_t count = layers.size();
-  std::vector<FaceResponse> follows(count), faces(count + 1); // the bottom over the top of a layer
+  std::vector<FaceResponse> follows(count), faces(count + 1); // follows: bottom over top of a layer
   Eigen::Matrix2d below = Eigen::Matrix2d::Zero();
   double below_across = 0;
   for (std::size_t i = 0; i < count; ++i) {
     const Eigen::Matrix4d own = plane_strain_stiffness(layers[i], k);
     const AntiplaneStiffness across = antiplane_stiffness(layers[i], k);
-    if (i > 0) { // the bottom of the first layer stays
+    if (i > 0) { // the bottom of the first layer does not move
       const Eigen::Matrix2d joint = own.topLeftCorner<2, 2>() + below;
       follows[i].plane = -joint.inverse() * own.topRightCorner<2, 2>();
       follows[i].across = -across.other / (across.own + below_across);

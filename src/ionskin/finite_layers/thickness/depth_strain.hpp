@@ -9,24 +9,30 @@
 
 namespace ionskin::finite_layers {
 
-/// A place through the thickness of a skin.
+/// Position through the thickness of a skin.
 struct DepthLevel {
-  std::size_t layer = 0;
+  std::size_t layer = 0; ///< index, counted from the bottom
   LayerHeight height;
 };
 
-/// Strain that a wave of tractions on the top face makes at a level, over a traction along the
-/// wave, one upwards and one across it [1/Pa].
+/// Amplitudes of the strain at one level, per unit amplitude of a traction on the top face that
+/// varies along the face like a wave of number k [1/Pa]. `along` is a traction along the wave,
+/// `normal` one upwards; `twist` and the member `across` belong to a traction across the wave.
+/// Displacements have the amplitudes U_r along the wave, U_t across it and w upwards; a prime is
+/// the derivative upwards, docs/model.md (58).
 struct DepthStrain {
-  double stretch_by_along = 0, stretch_by_normal = 0; ///< k U_r
-  double rise_by_along = 0, rise_by_normal = 0;       ///< w'
-  double shear_by_along = 0, shear_by_normal = 0;     ///< U_r' - k w
-  double twist = 0;                                   ///< k U_t
-  double across = 0;                                  ///< U_t'
+  double stretch_by_along = 0, stretch_by_normal = 0; ///< k U_r, stretch along the wave
+  double rise_by_along = 0, rise_by_normal = 0;       ///< w', stretch through the thickness
+  double shear_by_along = 0, shear_by_normal = 0;     ///< U_r' - k w, shear angle along the wave
+  double twist = 0;                                   ///< k U_t, shear within the plane of the face
+  double across = 0;                                  ///< U_t', shear angle across the wave
 };
 
-/// Strains in closed form through all layers on their rigid base.
-/// @param wave_number above 0 [1/m]
+/// Calculates the strain at each level in closed form, for all layers on their rigid base.
+/// @param layers bottom to top
+/// @param wave_number k, above 0 [1/m]
+/// @param levels positions through the thickness
+/// @returns one entry per level
 std::vector<DepthStrain> depth_strain(const std::vector<ElasticLayer>& layers, double wave_number,
                                       const std::vector<DepthLevel>& levels);
 

@@ -50,7 +50,7 @@ Eigen::Matrix2d antiplane_field(const ElasticLayer& layer, double wave_number, L
     field << mean, mean, -1 / t, 1 / t;
     return field;
   }
-  // sinh(k z)/sinh(k t) and cosh(k z)/sinh(k t) by exponentials that do not exceed 1.
+  // sinh(k z)/sinh(k t) and cosh(k z)/sinh(k t), written with exponentials that do not exceed 1.
   const double from_top = wave_number * (t - *height), from_bottom = wave_number * *height;
   const double whole = -std::expm1(-2 * depth);
   const auto sinh_ratio = [&](double far, double near) {

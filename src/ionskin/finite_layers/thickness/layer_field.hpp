@@ -9,16 +9,23 @@
 
 namespace ionskin::finite_layers {
 
-/// A height above the bottom of a layer [m]; none stands for the mean through its thickness.
+/// Height above the bottom of a layer [m]. Empty stands for the mean through the thickness of the
+/// layer.
 using LayerHeight = std::optional<double>;
 
-/// Displacement inside a layer under a wave, and its slope upwards [1/m], in the rows U_r, U_r', w,
-/// w', over that of its faces: of the bottom along the wave and upwards, then of the top.
+/// Calculates the plane-strain displacement inside a layer under a wave from the displacements of
+/// its two faces. Rows: U_r, U_r', w, w', with U_r along the wave [m], w upwards [m] and primes for
+/// the derivative upwards. Columns: bottom face along the wave and upwards, then top face along the
+/// wave and upwards [m]. Entries are therefore [1] for displacements and [1/m] for their
+/// derivatives.
+/// @param wave_number [1/m]
 Eigen::Matrix4d plane_strain_field(const ElasticLayer& layer, double wave_number,
                                    LayerHeight height);
 
-/// Displacement inside a layer across the wave, and its slope upwards [1/m], in the rows U_t, U_t',
-/// over U_t of the bottom and of the top.
+/// Calculates the displacement inside a layer across a wave from the displacements of its two
+/// faces. Rows: U_t across the wave [1] and its derivative upwards U_t' [1/m]. Columns: U_t of the
+/// bottom face and of the top face.
+/// @param wave_number above 0 [1/m]
 Eigen::Matrix2d antiplane_field(const ElasticLayer& layer, double wave_number, LayerHeight height);
 
 } // namespace ionskin::finite_layers

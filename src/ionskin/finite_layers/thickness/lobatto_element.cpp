@@ -12,7 +12,7 @@
 namespace ionskin::finite_layers {
 namespace {
 
-/// Zeros of a Legendre polynomial in [-1, 1], ascending.
+/// Lists the zeros of a Legendre polynomial in [-1, 1], ascending.
 Eigen::VectorXd legendre_zeros(int degree) {
   const std::vector<double> upper = boost::math::legendre_p_zeros<double>(degree); // 0 and above
   Eigen::VectorXd zeros(degree);
@@ -24,8 +24,8 @@ Eigen::VectorXd legendre_zeros(int degree) {
   return zeros;
 }
 
-/// Gauss-Lobatto nodes in [-1, 1]: the ends, and where P' is 0, which Newton finds between the
-/// zeros of P.
+/// Lists the Gauss-Lobatto nodes in [-1, 1]: both ends, and the zeros of the derivative of the
+/// Legendre polynomial P, which Newton's method finds between the zeros of P.
 Eigen::VectorXd lobatto_nodes(int degree) {
   Eigen::VectorXd nodes(degree + 1);
   nodes(0) = -1;

@@ -13,17 +13,18 @@
 namespace ionskin::finite_layers {
 namespace {
 
-/// Waves longer than the thickness over this load columns evenly, even under a film so stiff that
-/// it carries shear over a hundred thicknesses: the table begins there.
+/// Wave number times the thickness below which a wave acts like a uniform load, even under a film
+/// so stiff that it carries shear over a hundred thicknesses. The table begins there.
 constexpr double uniform_below = 1e-6;
-/// Waves shorter than the top layer over this do not feel what lies below: (k t)^2 exp(-2 k t).
+/// Wave number times the thickness of the top layer above which the layers below are not felt:
+/// their effect falls like (k t)^2 exp(-2 k t).
 constexpr double half_space_beyond = 22;
-constexpr double intervals_of_wave_number = 160; // of ln k
+constexpr double intervals_of_wave_number = 160; // per unit of ln k
 
 } // namespace
 
 WaveCompliance wave_compliance(const std::vector<ElasticLayer>& layers, double wave_number) {
-  Eigen::Matrix2d below = Eigen::Matrix2d::Zero(); // stiffness of the face that was reached
+  Eigen::Matrix2d below = Eigen::Matrix2d::Zero(); // stiffness of the highest face so far
   double below_across = 0;
   bool on_base = true;
   for (const ElasticLayer& layer : layers) {
@@ -80,7 +81,7 @@ SurfaceCompliance::SurfaceCompliance(std::vector<ElasticLayer> layers)
 
 WaveCompliance SurfaceCompliance::at(double wave_number) const {
   if (wave_number <= first_) {
-    WaveCompliance long_wave = uniform_; // to (k H)^2
+    WaveCompliance long_wave = uniform_; // accurate to (k H)^2
     long_wave.mixed = mixed_slope_ * wave_number;
     return long_wave;
   }

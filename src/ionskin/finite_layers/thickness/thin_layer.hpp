@@ -7,17 +7,24 @@
 
 namespace ionskin::finite_layers {
 
-/// A layer that is thin beside a wave, in plane strain: one finite element of degree 8 whose inner
-/// nodes follow its faces.
+/// Layer that is thin in comparison with a wavelength, in plane strain, where the closed form loses
+/// digits. It is one finite element of degree 8, whose inner nodes are eliminated so that they
+/// follow the displacements of the two faces.
 class ThinLayer {
 public:
+  /// Makes the element.
+  /// @param wave_number [1/m]
   ThinLayer(const ElasticLayer& layer, double wave_number);
 
-  /// Stiffness of the faces, as `plane_strain_stiffness` has it [Pa/m].
+  /// Stiffness of the two faces, in the order of `plane_strain_stiffness` [Pa/m].
   const Eigen::Matrix4d& stiffness() const { return stiffness_; }
+  /// Finite element through the thickness of the layer.
   const LobattoElement& element() const { return element_; }
-  /// Displacement along the wave and upwards at the nodes of the element, over that of the faces.
+  /// Displacements along the wave at the nodes of the element, per displacement of the faces in the
+  /// order of `stiffness`, [node, face component] [1].
   const Eigen::MatrixX4d& along() const { return along_; }
+  /// Displacements upwards at the nodes of the element, per displacement of the faces in the order
+  /// of `stiffness`, [node, face component] [1].
   const Eigen::MatrixX4d& upwards() const { return upwards_; }
 
 private:

@@ -6,9 +6,9 @@
 
 namespace ionskin::handover {
 
-/// Channel `dilation`: -tr e at each point, positive where the core is compressed, which raises the
-/// pressure of its water [1].
-/// @param strain xx, yy, zz, yz, xz, xy, each [points] [1]
+/// Calculates the channel `dilation`, -tr e at each point [1]. It is positive where the core is
+/// compressed, which raises the pressure of the water in the core.
+/// @param strain components xx, yy, zz, yz, xz, xy, each [point] [1]
 std::vector<double> compressive_dilation(const std::array<std::vector<double>, 6>& strain);
 
 } // namespace ionskin::handover

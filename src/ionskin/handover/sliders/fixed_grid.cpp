@@ -13,12 +13,13 @@
 namespace ionskin::handover {
 namespace {
 
-/// Cells over the thickness of the skin. Below a slider the strain is taken on the finer mesh that
-/// rides with it; what is left to these cells is to tell places apart, which the columns of the ion
-/// transport, as wide as the core is thick, do no better.
+/// Uniform cells per thickness of the skin. Below a slider the strain is taken on the finer mesh
+/// that moves with the slider. These cells only need to resolve positions, and the columns of the
+/// ion transport, which are as wide as the core is thick, resolve no more.
 constexpr double cells_per_thickness = 3;
 constexpr double growth = 1.4;
-/// Most even cells over the places of one slider: along long ways they are wider.
+/// Largest number of uniform cells over the positions of one slider. Along longer paths the cells
+/// are wider.
 constexpr double most_cells = 160;
 
 double preset_factor(Preset preset) {
@@ -33,7 +34,7 @@ double preset_factor(Preset preset) {
   throw InternalError("unknown preset");
 }
 
-/// A part of a direction over which a slider may touch.
+/// Part of a direction in which a slider may touch.
 struct Span {
   double low = 0, high = 0; ///< [m]
   double cell = 0;          ///< width of its cells [m]
@@ -55,7 +56,7 @@ std::vector<Span> touched_spans(const std::vector<Case>& sliders,
   return spans;
 }
 
-/// Width that a cell should have at a place [m].
+/// Width that a cell should have at a position [m].
 double cell_width(double at, const std::vector<Span>& spans, double limit) {
   double width = limit;
   for (const Span& span : spans) {
@@ -65,7 +66,7 @@ double cell_width(double at, const std::vector<Span>& spans, double limit) {
   return width;
 }
 
-/// Edges between which every cell holds an equal part of the integral of the inverse width.
+/// Divides a direction so that every cell holds an equal part of the integral of the inverse width.
 std::vector<double> graded_edges(double extent, const std::vector<Span>& spans, double limit) {
   constexpr std::size_t steps = 20000; // of the midpoint rule
   const double step = extent / static_cast<double>(steps);

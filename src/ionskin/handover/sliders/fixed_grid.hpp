@@ -9,14 +9,14 @@
 
 namespace ionskin::handover {
 
-/// Grid of the core that stays where it is while several sliders move over it: even cells wherever
-/// one of them may touch, and beside those places cells that grow.
-/// @param sliders one case each, of one skin
-/// @param meshes one each; of halves those of y <= width / 2, which the grid then covers alone
+/// Makes the grid of the core for several sliders, which stays at rest in the skin: uniform cells
+/// wherever a slider may touch, and graded cells elsewhere. x and y count from the skin's corner.
+/// @param sliders one case per slider, all with the same skin
+/// @param meshes one mesh per slider. If they are half models, the grid covers only y <= width / 2.
 CoreGrid fixed_core_grid(const std::vector<Case>& sliders,
                          const std::vector<const mesh::SkinMesh*>& meshes);
 
-/// Widest of the even cells [m].
+/// Largest size of a uniform cell, except along a path so long that their number is limited [m].
 double fixed_cell_width(const Case& input);
 
 } // namespace ionskin::handover

@@ -22,14 +22,14 @@
 namespace ionskin::handover {
 namespace {
 
-/// One slider at an instant.
+/// Contact of one slider at an instant.
 struct SliderInstant {
   StateCombination combination;
   std::array<double, 2> half_size{}; ///< of its footprint [m]
-  MeshStrain own;                    ///< by its forces alone
+  MeshStrain own;                    ///< strain by the forces of only this slider
 };
 
-/// Strain of all sliders at the points of one of them.
+/// Sums the strains of all sliders at the points of one of them.
 MeshStrain sum_at(const std::vector<SliderInstant>& touching, std::size_t here) {
   MeshStrain sum = touching[here].own;
   for (std::size_t other = 0; other < touching.size(); ++other) {
@@ -57,7 +57,7 @@ public:
     grid_ = {core_.x_edges, core_.y_edges, water ? history::halved(core_.z_lines) : core_.z_lines};
   }
 
-  /// Grid of the whole core.
+  /// Grid of the whole core, also for a half model.
   history::StrainGrid whole_grid() const {
     history::StrainGrid whole = grid_;
     for (std::size_t i = grid_.y_edges.size() - 1; half_ && i-- > 0;) {
@@ -67,7 +67,7 @@ public:
   }
   const std::vector<ChannelRule>& rules() const { return rules_; }
 
-  /// Instants of one cycle [s].
+  /// Sample instants of one cycle, ascending [s].
   std::vector<double> sample_times() const {
     std::vector<double> kept;
     for (const ContactTimeline& timeline : timelines_) {
@@ -89,7 +89,7 @@ public:
     return times;
   }
 
-  /// Events of one cycle [s].
+  /// Event instants of one cycle, ascending [s].
   std::vector<double> event_times() const {
     std::vector<double> events;
     for (const ContactTimeline& timeline : timelines_) {
@@ -101,7 +101,8 @@ public:
 
   using Fields = std::vector<std::shared_ptr<const history::StrainField>>; // one per channel
 
-  /// Fields at an instant of the cycle; those of instants with the same states are the same.
+  /// Calculates the fields at an instant of the cycle, or returns the stored fields of an instant
+  /// with identical states and positions.
   const Fields& at(double time) {
     std::vector<SliderInstant> touching;
     Key key;
@@ -132,7 +133,7 @@ private:
                         std::vector<std::array<double, 2>>>;
   static constexpr double rounding = 1e-12;
 
-  /// Cells over which the fastest slider that touches goes between two instants.
+  /// Largest distance, in cells, by which a slider in contact moves between two instants.
   double cells_gone(double from, double to) const {
     const double width = fixed_cell_width(sliders_.front());
     double most = 0;
@@ -179,7 +180,7 @@ private:
     return fields;
   }
 
-  /// The slider that is nearest to each column of cells, [y][x].
+  /// Index in `touching` of the slider that is nearest to each column of cells, [y][x].
   std::vector<std::size_t> owners_of_cells(const std::vector<SliderInstant>& touching) const {
     std::vector<std::size_t> owners;
     for (std::size_t j = 0; j < grid_.columns_y(); ++j) {
@@ -207,9 +208,9 @@ private:
   std::vector<ChannelRule> rules_;
   double duration_ = 0;
   std::vector<ContactTimeline> timelines_;
-  bool half_ = false;        ///< y <= width / 2 is meshed alone
-  CoreGrid core_;            ///< of what is meshed
-  history::StrainGrid grid_; ///< likewise
+  bool half_ = false;        ///< only y <= width / 2 is meshed
+  CoreGrid core_;            ///< of the meshed part of the core
+  history::StrainGrid grid_; ///< of the meshed part of the core
   std::map<Key, Fields> known_;
 };
 

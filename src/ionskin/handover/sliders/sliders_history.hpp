@@ -10,15 +10,15 @@
 
 namespace ionskin::handover {
 
-/// Turns Study 1 of several sliders on one skin into the history of the whole run, in the skin's
-/// frame: adds up the strains of all sliders at the points of the mesh of each of them, takes a
-/// scalar of the sum for every channel, and averages it over cells that do not move, of which each
-/// is given to the slider that is nearest to it. Samples follow one another before a slider is a
-/// cell farther.
-/// @param sliders one case each, of one skin, with cycles that last equally long
-/// @param contacts one solution each, all of the whole skin or all of half of it
+/// Transfers the strain of several sliders on one skin from Study 1 (mechanics) to Study 2 (ion
+/// transport): makes the strain history of the whole run, in the frame of the skin. At the mesh
+/// points of each slider it adds the strains of all sliders, takes a scalar of the sum for each
+/// channel, and averages it over cells at rest. Each cell takes the field of the nearest slider.
+/// Samples are so dense that no slider in contact moves by more than a cell between them.
+/// @param sliders one case per slider, all with the same skin and the same duration of a cycle
+/// @param contacts one solution per slider, all for the whole skin or all for half of it
 /// @param progress called with "strain history"
-/// Throws SolverError where a channel is not finite.
+/// Throws SolverError when a channel is not finite.
 history::CoreHistory
 build_sliders_history(const std::vector<Case>& sliders,
                       const std::vector<mechanics::ContactSolution>& contacts,

@@ -8,7 +8,7 @@
 namespace ionskin::handover {
 namespace {
 
-/// Both Gauss points of each interval.
+/// Lists both Gauss points of each interval.
 std::vector<double> gauss_points(const std::vector<double>& lines) {
   const double offset = 0.5 / std::sqrt(3.0);
   std::vector<double> places;
@@ -20,7 +20,7 @@ std::vector<double> gauss_points(const std::vector<double>& lines) {
   return places;
 }
 
-/// Operator that leaves each value as it is.
+/// Makes an operator that returns each value as it is.
 history::LineOperator identity(std::size_t count) {
   history::LineOperator same{count, {}, std::vector(count, std::vector{1.0})};
   for (std::size_t i = 0; i < count; ++i) {
@@ -29,7 +29,7 @@ history::LineOperator identity(std::size_t count) {
   return same;
 }
 
-/// Operators from the points of one mesh to those of another.
+/// Makes the operators from the points of one mesh to the points of another.
 FieldOperators between(const MeshStrain& from, const MeshStrain& to) {
   const auto along = [](const std::vector<double>& lines, const std::vector<double>& target) {
     return history::half_means_averages(lines, history::halved(target));
@@ -70,7 +70,7 @@ FieldOperators onto_cells(const MeshStrain& from, const history::StrainGrid& gri
   const bool halved = grid.z_nodes.size() > z_lines.size();
   history::LineOperator along_z =
       halved ? history::halved_projection(from.core_z) : history::linear_projection(from.core_z);
-  if (from.core_z != z_lines) { // another mesh
+  if (from.core_z != z_lines) { // the mesh differs through the thickness
     along_z =
         history::compose(history::linear_interpolation(
                              halved ? history::halved(from.core_z) : from.core_z, grid.z_nodes),
