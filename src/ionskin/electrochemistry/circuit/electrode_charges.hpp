@@ -34,7 +34,9 @@ public:
   /// @param net n of every conductor at the instant of the stage
   ElectrodeStage stage(std::span<const double> start, double implicit,
                        std::span<const double> net) const;
+  /// True if the ground holds the conductor.
   bool holds(std::size_t conductor) const { return !circuits_[conductor]; }
+  /// Scaled capacitance C of the conductor's circuit; 0 if the ground holds the conductor.
   double capacitance(std::size_t conductor) const {
     return circuits_[conductor] ? circuits_[conductor]->capacitance : 0.0;
   }

@@ -43,7 +43,7 @@ std::size_t column_count(double length, double width, std::size_t fewest, std::s
 /// given fractions of the side: at most 2 `count` where all fractions are met, else at most 1.5
 /// `count` where that halves the worst distance. A column across the border of two taxels would
 /// divide its charge between them by area.
-/// @param step between the numbers to choose from
+/// @param step difference between the numbers to choose from
 /// @param fractions of the side, 0 to 1
 std::size_t aligned_column_count(std::size_t count, std::size_t step,
                                  const std::vector<double>& fractions);

@@ -33,14 +33,15 @@ struct IonSnapshot {
 struct SegmentCharge {
   std::string name;
   std::vector<double> charge, bottom_charge;
-  // Further entries for conductors with circuits of their own; empty otherwise. `voltage` is that
-  // of a taxel against the bottom electrode, of a crossing's column against its row, or of a line
-  // against the ground. `passed` is the charge that the circuit has passed or holds, without the
-  // part that returns through the ground; for a crossing, the charge that its column has passed
-  // while a scan read its row.
-  std::vector<double> voltage; ///< [V]
-  std::vector<double> passed;  ///< [C]
-  /// Charge that came to the taxel while a scan read other rows [C].
+  /// Potential of a taxel against the bottom electrode, of a crossing's column against its row, or
+  /// of a line against the ground [V]. Empty where no taxel has a circuit of its own.
+  std::vector<double> voltage;
+  /// Charge that the circuit has passed or holds, without the part that returns through the ground;
+  /// for a crossing, the charge that its column has passed while a scan read its row [C]. Empty
+  /// where no taxel has a circuit of its own.
+  std::vector<double> passed;
+  /// Charge that came to the taxel while a scan read other rows [C]; `passed` and this add up to
+  /// all charge that came.
   std::vector<double> bypassed;
 };
 
@@ -70,7 +71,7 @@ struct WaterRows {
 struct IonSolution {
   TransportGrid grid;
   // One entry per time step [rows].
-  std::vector<double> time; ///< [s]
+  std::vector<double> time; ///< instants of the rows [s]
   /// Charge on the metal of the top and of the bottom electrode [C]: residual of Poisson's equation
   /// at the wall, summed over the columns.
   std::vector<double> charge_top, charge_bottom;
