@@ -7,14 +7,16 @@
 
 namespace ionskin::circuits {
 
-/// A transimpedance amplifier holds the electrodes at one potential and shows the difference
-/// current I through a first-order low pass, y' = (I - y)/tau with tau = 1/(2 pi bandwidth), plus
-/// white noise; then clipped at +-range. Source: a standard model of the instrument.
+/// Transimpedance amplifier as readout circuit. It holds both electrodes at one potential and shows
+/// the difference current I = d((Q_top - Q_bottom)/2)/dt through a first-order low pass, y' = (I -
+/// y)/tau with tau = 1/(2 pi bandwidth), plus white input noise behind the same low pass, clipped
+/// at +-range. Source: a standard model of the instrument.
 struct Amplifier {
-  double bandwidth = 0;     ///< of its first-order low pass, -3 dB [Hz]
-  double noise_density = 0; ///< input-referred, one-sided [A/sqrt(Hz)]
-  double range = 0;         ///< largest current of either sign [A]; 0 for any
-  double noise_seed = 0;    ///< a whole number
+  double bandwidth = 0; ///< -3 dB bandwidth of the first-order low pass [Hz]
+  /// One-sided density of the input current noise [A/sqrt(Hz)]; 0 for none.
+  double noise_density = 0;
+  double range = 0;      ///< largest current shown, of either sign [A]; 0 for no limit
+  double noise_seed = 0; ///< seed of the noise, a whole number
 
   static constexpr std::string_view meaning =
       "a transimpedance amplifier that reads the short-circuit current";
@@ -57,12 +59,13 @@ struct Amplifier {
             &Amplifier::noise_seed}};
   }
   std::string words() const;
-  /// The low pass is solved exactly for a current that is constant over each step. A charge that
-  /// stands in row 0 is an impulse: y starts at charge/tau. The charge of a step counts the step's
-  /// mean, clipped. Figures: the largest current shown, and the length of the steps that end
-  /// clipped.
-  /// @param time [s]
-  /// @param charge (Q_top - Q_bottom)/2 under short circuit [C]
+  /// Computes what the amplifier shows at every row of a run. The low pass is solved exactly for an
+  /// input current that is constant over each step. Charge in row 0 is an impulse: y starts at
+  /// charge/tau. `charge` of the result sums the mean current of each step, clipped. The figures
+  /// are the largest current shown [A] and the total length of the steps that end clipped [s]; a
+  /// warning reports clipping.
+  /// @param time instants of the rows, ascending and not empty [s]
+  /// @param charge (Q_top - Q_bottom)/2 under short circuit, one value per row [C]
   InstrumentReading read(const std::vector<double>& time, const std::vector<double>& charge) const;
   InputNoise input_noise() const { return {noise_density, bandwidth}; }
 };

@@ -13,8 +13,9 @@ FilteredNoise::FilteredNoise(double density, double bandwidth, std::uint64_t see
   value_ = deviation_ * normal();
 }
 
-// Numbers are drawn by the method of Box and Muller (1958, doi 10.1214/aoms/1177706645): the
-// standard library's distribution differs between its makers.
+// Draws a number of the normal distribution by the method of Box and Muller (1958, doi
+// 10.1214/aoms/1177706645): the distribution of the standard library differs between its
+// implementations.
 double FilteredNoise::normal() {
   if (spare_) {
     const double value = *spare_;

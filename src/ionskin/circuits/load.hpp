@@ -7,7 +7,7 @@
 
 namespace ionskin::circuits {
 
-/// `readout.load_resistance`, of every circuit with a load.
+/// Parameter `readout.load_resistance`, shared by all circuits that have a load resistor.
 inline constexpr laws::LawParameter load_resistance{
     .name = "load_resistance",
     .dimension = units::Dimension::resistance,
@@ -17,7 +17,8 @@ inline constexpr laws::LawParameter load_resistance{
     .default_value = "\"1 MOhm\"",
     .source = "input resistance of ordinary oscilloscopes"};
 
-/// A resistor between the electrodes, I = -U/R. Source: Ohm's law.
+/// Load resistor between the electrodes as readout circuit: I = -U/R, with the signs of
+/// `Admittance`. Source: Ohm's law.
 struct Load {
   double resistance = 0; ///< R [ohm]
 

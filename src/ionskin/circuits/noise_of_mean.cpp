@@ -10,17 +10,18 @@
 namespace ionskin::circuits {
 namespace {
 
-/// Number of lobes of the squared sine that are integrated; beyond them its mean serves.
+/// Number of lobes of the squared sine that are integrated one by one; beyond them its mean, 1/2,
+/// replaces it.
 constexpr int lobes = 16;
-/// Upper end of the integral, over the larger of the `lobes` and of the intervals in a period of
-/// the low pass: what is faster adds less than a part in 1e4.
+/// Upper end of the integral in x = f T, over the larger of `lobes` and of B T, the number of
+/// periods of the low pass within an interval: faster noise adds less than a part in 1e4.
 constexpr double fast = 1e4;
 
 template <class Function> double integrate(const Function& function, double from, double to) {
   return boost::math::quadrature::gauss<double, 7>::integrate(function, from, to);
 }
 
-/// Over equal parts of the logarithm, two to a decade.
+/// Integrates over equal parts of the logarithm, two to a decade; 0 where `to` is not above `from`.
 template <class Function>
 double integrate_decades(const Function& function, double from, double to) {
   if (!(to > from)) {
@@ -44,7 +45,7 @@ double integrate_decades(const Function& function, double from, double to) {
 double noise_of_mean(const std::function<double(double frequency)>& density,
                      const Averaging& averaging) {
   const double interval = averaging.interval;
-  // All over the turns x = f T of an interval.
+  // All integrands are functions of x = f T, the number of periods within an interval.
   const auto passed = [&](double x) {
     const double slowness = x / (interval * averaging.bandwidth);
     return density(x / interval) / (1 + slowness * slowness);

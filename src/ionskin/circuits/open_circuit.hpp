@@ -5,7 +5,8 @@
 
 namespace ionskin::circuits {
 
-/// Nothing between the electrodes: no difference current, I = 0. Source: Kirchhoff's current law.
+/// Open circuit as readout circuit: the electrodes are not connected, so that the difference
+/// current is I = 0. Source: Kirchhoff's current law.
 struct OpenCircuit {
   static constexpr std::string_view meaning = "nothing";
   static constexpr auto parameters() { return laws::no_parameters<OpenCircuit>; }

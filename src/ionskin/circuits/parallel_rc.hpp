@@ -7,10 +7,12 @@
 
 namespace ionskin::circuits {
 
-/// A resistor and a capacitor in parallel, as the input of an oscilloscope and its cable are:
+/// Resistor and capacitor in parallel between the electrodes as readout circuit, such as the input
+/// of an oscilloscope and its cable:
 ///   I = -U/R - C dU/dt.
-/// A voltage over it decays with R times the sum of C and the capacitance of the cell. Without C it
-/// is a load, with a large one a short circuit. Source: Kirchhoff's current law.
+/// The voltage decays with the time constant R times the sum of C and the capacitance of the cell.
+/// Without C the circuit is a load, with a large C it approaches a short circuit. Source:
+/// Kirchhoff's current law.
 struct ParallelRc {
   double resistance = 0;  ///< R [ohm]
   double capacitance = 0; ///< C [F]

@@ -5,7 +5,8 @@
 
 namespace ionskin::circuits {
 
-/// Both electrodes at one potential. Source: the skin model that ionskin reproduces.
+/// Short circuit as readout circuit: both electrodes at one potential. Source: the skin model that
+/// ionskin reproduces.
 struct ShortCircuit {
   static constexpr std::string_view meaning = "a short circuit";
   static constexpr auto parameters() { return laws::no_parameters<ShortCircuit>; }

@@ -14,7 +14,7 @@ CellCircuit cell_circuit(const Case& input) {
                permittivity = input.electrochemistry.permittivity;
   const DerivedScales scales = derive_scales(input.electrochemistry, thickness);
   const auto excess = steric_excess(input.electrochemistry);
-  // The layers of ions that take room are thicker.
+  // Double layers of ions of finite size are thicker.
   const double screened = scales.debye_length * (excess ? std::sqrt(1 / excess->room(1.0)) : 1.0);
   const double interface = scales.area_ratio * permittivity / screened;
   CellCircuit circuit;

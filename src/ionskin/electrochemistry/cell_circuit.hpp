@@ -5,23 +5,25 @@
 
 namespace ionskin::electrochemistry {
 
-/// The cell at rest as the few parts that an instrument meets, each for the whole skin, and the
-/// times that they make.
+/// Equivalent circuit of the cell at rest: resistance and capacitances that an instrument sees,
+/// each for the area of the whole skin, and their time constants.
 struct CellCircuit {
-  double layers = 0;        ///< capacitance of both double layers in series [F]
-  double geometric = 0;     ///< capacitance of the core as a dielectric, eps A/h [F]
-  double core = 0;          ///< resistance of the core, h/(sigma A) [ohm]
-  double screening = 0;     ///< core and geometric capacitance [s]
-  double charging = 0;      ///< core and double layers [s]
-  double metal_squares = 0; ///< resistance of a square of both metals [ohm]; 0 for none
+  double layers = 0;    ///< capacitance of both double layers in series [F]
+  double geometric = 0; ///< capacitance of the core as a dielectric, eps A/h [F]
+  double core = 0;      ///< resistance of the core to ionic current, h/(sigma A) [ohm]
+  double screening = 0; ///< time constant, `core` times `geometric` [s]
+  double charging = 0;  ///< time constant, `core` times `layers` [s]
+  /// Sum of the electrodes' sheet resistances [ohm per square]; 0 for none.
+  double metal_squares = 0;
 
-  /// Time in which charge comes along the metal to the double layers farthest from the leads,
-  /// docs/model.md (70) [s].
-  /// @param squares resistance of a square of both metals [ohm]
+  /// Time constant with which charge moves along the metal to the double layers farthest from the
+  /// leads, docs/model.md (70) [s].
+  /// @param squares sum of the sheet resistances of both electrodes [ohm per square]
   double metal_time(double squares) const { return metal_time_per_ohm * squares; }
-  double metal_time_per_ohm = 0;
+  double metal_time_per_ohm = 0; ///< `metal_time` for 1 ohm per square [s]
 };
 
+/// Computes the equivalent circuit at rest from the constants of a case.
 CellCircuit cell_circuit(const Case& input);
 
 } // namespace ionskin::electrochemistry

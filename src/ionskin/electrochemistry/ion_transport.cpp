@@ -31,24 +31,26 @@ int useful_threads(int threads, const ScaledGrid& grid) {
   return std::clamp(std::min(threads, most), 1, static_cast<int>(grid.levels));
 }
 
-/// Share of the error allowed to a time step that Newton's method may leave, within what single
-/// precision in the preconditioner and rounding allow. Beside crowded ions the room, not the
-/// concentration, must be exact.
+/// Tolerance of Newton's method: a share of the error allowed to a time step, within the limits of
+/// rounding and of single precision in the preconditioner. With crowded ions the free share of the
+/// sites, not the concentration, must be exact.
 double newton_tolerance(double time_tolerance, IonModel model) {
   const double share = model == IonModel::steric ? 3e-3 : 0.3;
   return std::clamp(share * time_tolerance, 1e-9, 1e-4);
 }
 
-/// The least charge that the steps resolve, as a share of what the largest coupling makes in one
-/// Debye length: without it a first contact would be resolved from nothing.
+/// Least charge that the steps resolve, as a share of the charge that the largest coupling makes in
+/// one Debye length: without it the steps would resolve a first contact however small its charge.
 constexpr double least_charge = 1e-3;
 
-/// A step takes some ten residuals and Krylov iterations, and where columns differ much some
-/// hundred: so many within so short a share of the history lead nowhere.
+/// Limit on residual evaluations plus Krylov iterations within a share `least_progress` of the
+/// history. A step takes about ten of them, and about a hundred where columns differ much; so many
+/// in so short a time lead nowhere.
 constexpr std::size_t work_without_progress = 200'000;
 constexpr double least_progress = 0.01;
 
-/// True if one half of the skin about mid-width can stand for the other, as far as electrodes go.
+/// True if the electrodes of one half of the skin about mid-width can stand for those of the other
+/// half.
 bool readout_is_mirrored(const Case& input) {
   if (input.has_sheet_resistance() && input.readout.contact == ElectrodeContact::corner) {
     return false;
@@ -56,7 +58,7 @@ bool readout_is_mirrored(const Case& input) {
   return !input.readout.is_cut() || taxels_are_mirrored(input.readout, input.skin.width);
 }
 
-/// The parts of one run, wired together.
+/// One run of Study 2, with all its parts.
 class TransportRun {
 public:
   TransportRun(const Case& input, const history::CoreHistory& history, const IonOptions& options)
@@ -104,14 +106,15 @@ public:
 
 private:
   double time() const { return run_.solution.time.back(); }
-  /// Nothing where one potential will do.
+  /// Conductors of cut faces, as the solver needs them; nullptr where one potential for each face
+  /// will do.
   const WallElectrodes* conductors() const {
     const bool opens = readout_.scan.dwell > 0 && !readout_.scan.grounds_others;
     return cut_ && (opens || !cut_->conductors.all_held()) ? &cut_->conductors : nullptr;
   }
 
   const SheetElectrodes* sheets() const { return sheets_ ? &*sheets_ : nullptr; }
-  /// Size of `TransportState::electrode_charge`.
+  /// Length of `TransportState::electrode_charge`.
   std::size_t electrode_charges() const {
     return sheets_                   ? SheetState::packed_size(scaled_.columns())
            : conductors() != nullptr ? conductors()->size()
@@ -174,7 +177,7 @@ private:
     }
   }
 
-  /// The row that a scan reads from an instant on; nothing without one.
+  /// Row that a scan reads from an instant on [s]; nothing without a scan.
   std::optional<std::size_t> row_at(double time) const {
     return cut_ && readout_.scan.dwell > 0
                ? std::optional(readout_.row_read_at(time - control_.landings().time.front()))
@@ -199,7 +202,7 @@ private:
     }
   }
 
-  /// Tries shorter and shorter steps until one is good enough; returns its end.
+  /// Tries shorter and shorter steps until one is accurate enough; returns its end [s].
   double take_step(double begin) {
     TransportState& state = run_.state;
     while (true) {
@@ -286,7 +289,7 @@ private:
 
   const IonOptions& options_;
   Readout readout_;
-  std::optional<std::size_t> row_; ///< row that a scan reads
+  std::optional<std::size_t> row_; ///< row that the scan reads; nothing without a scan
   TransportGrid grid_;
   DerivedScales scales_;
   MidWidthMirror mirror_;
@@ -303,7 +306,8 @@ private:
   TimeIntegrator integrator_;
   SolutionRows rows_;
   IonCheckpoint run_;
-  double saved_at_ = base::wall_time(); ///< of the last checkpoint, at first of the begin
+  /// Wall time of the last checkpoint, at first of the begin [s].
+  double saved_at_ = base::wall_time();
 };
 
 } // namespace

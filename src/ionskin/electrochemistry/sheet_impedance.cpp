@@ -11,15 +11,18 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// Shapes of the current along a contact; waves that are summed one by one, and in the limit in
-/// which they decay within the metal.
+/// Number of shapes of the current along a lead; number of waves that are summed one by one, and
+/// number in the limit in which waves decay within the metal.
 constexpr std::size_t shapes = 6, waves = 400, static_waves = 100'000;
 
 Complex coth(Complex x) {
   return 1.0 / std::tanh(x);
 }
 
-/// Share of the cosine of wave number k in T_2s(y/w)/sqrt(1 - (y/w)^2) over 0 < y < w, over w.
+/// Integral of the cosine of wave number k times T_2s(y/w)/sqrt(1 - (y/w)^2) over 0 < y < w, over
+/// w.
+/// @param shape s
+/// @param phase k w
 double share(std::size_t shape, double phase) {
   const double sign = shape % 2 == 0 ? 1.0 : -1.0;
   return 0.5 * std::numbers::pi * sign * std::cyl_bessel_j(2.0 * static_cast<double>(shape), phase);
@@ -68,7 +71,7 @@ Complex SheetImpedance::area_impedance(Complex cell) const {
   return reach * std::sqrt(resistance_ * cell) * coth(reach * std::sqrt(resistance_ / cell));
 }
 
-// Galerkin's method: the potential along the contact is that of the lead, for every shape.
+// Galerkin's method: the potential along the lead, weighted by every shape, is that of the lead.
 Complex SheetImpedance::of_corner(Complex cell) const {
   constexpr auto count = static_cast<Eigen::Index>(shapes);
   Eigen::MatrixXcd potentials(count, count);

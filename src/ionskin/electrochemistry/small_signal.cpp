@@ -13,7 +13,7 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// Refinement of the preset `fine`.
+/// Factor by which the grid is finer than that of the preset `fine`.
 constexpr double refinement = 3.0;
 
 ScaledGrid column_grid(const Skin& skin, const DerivedScales& scales) {
@@ -30,7 +30,8 @@ double diffusion_at_rest(const Electrochemistry& electrochemistry) {
   return excess ? 1.0 + excess->slope(1.0) : 1.0;
 }
 
-/// Solves a tridiagonal system without pivots; its diagonal dominates.
+/// Solves a tridiagonal system without pivoting, as its diagonal dominates.
+/// @param right_side of every row
 std::vector<Complex> solve_tridiagonal(const std::vector<double>& lower,
                                        std::vector<Complex> diagonal,
                                        const std::vector<double>& upper, double right_side) {
@@ -61,13 +62,14 @@ std::complex<double> SmallSignalCell::area_impedance(double frequency) const {
   return metal_.area_impedance(core_impedance(frequency));
 }
 
-/// The field between levels, less what `charge_weights` exchanges, is that of the charge on the
-/// metal and of the ions in the volumes up to there. Where w is the part of the charge on the metal
-/// that the ions have taken away, the field is 1 - w, the current of the ions is p w, and the ions
-/// in a volume are the difference of w across it. The flux between levels then reads
+/// Solves for w, the share of the charge on the metal that the ions have taken away at each
+/// interval between levels. The field between levels, less the part that `charge_weights`
+/// exchanges, is that of the charge on the metal and of the ions in the volumes up to there. It is
+/// 1 - w, the current of the ions is p w, and the ions in a volume are the difference of w across
+/// it. The flux between levels then reads
 ///   (1 + p) w_k - g_k [(w_{k+1} - w_k) / height_{k+1} - (w_k - w_{k-1}) / height_k] = 1,
-/// with w = 0 on the metal. Real and imaginary part of w are exact to rounding each, where those of
-/// the potential are not: in the core it hardly differs from that of a capacitor.
+/// with w = 0 on the metal. Real and imaginary part of w are exact to rounding each. Those of the
+/// potential are not: in the core it hardly differs from the potential in a capacitor.
 std::complex<double> SmallSignalCell::core_impedance(double frequency) const {
   const Complex rate(0.0, 2.0 * std::numbers::pi * frequency * scales_.relaxation_time);
   const std::size_t intervals = grid_.spacing.size();
@@ -82,7 +84,7 @@ std::complex<double> SmallSignalCell::core_impedance(double frequency) const {
   const std::vector<Complex> taken = solve_tridiagonal(lower, diagonal, upper, 1.0);
   Complex voltage = 0.0;
   for (std::size_t k = 0; k < intervals; ++k) {
-    // The rise is that of the concentration from level k to k + 1, by the flux between them.
+    // Rise of the concentration from level k to k + 1, from the flux between them.
     const Complex rise = (1.0 - (1.0 + rate) * taken[k]) / exchange[k];
     voltage += grid_.spacing[k] * (1.0 - taken[k] + grid_.charge_exchange[k] * rise);
   }

@@ -11,26 +11,28 @@
 
 namespace ionskin::electrochemistry {
 
-/// The cell's answer to a small alternating voltage about its rest (c = c0/v, phi = 0), which is
-/// the same in every column: the transport equations, linearised, on levels of their own, which are
-/// fine whatever the preset, because one column costs next to nothing.
+/// Linear response of the cell to a small alternating voltage about its state at rest (c = c0/v,
+/// phi = 0). The response is the same in every column, so that the linearised transport equations
+/// are solved in one, on z levels of its own; these are finer than any preset, because one column
+/// costs next to nothing.
 class SmallSignalCell {
 public:
   explicit SmallSignalCell(const Case& input);
 
-  /// Voltage between the leads over the current into the top electrode, times the area of the
-  /// electrode [ohm m2]. Real and imaginary part are right to 1e-3 each, however much they differ.
+  /// Impedance between the leads, with the metal's sheet resistance: voltage over the current into
+  /// the top electrode, times the area of the electrode [ohm m2]. Real and imaginary part are each
+  /// accurate to 1e-3, however much they differ.
   /// @param frequency [Hz], positive
   std::complex<double> area_impedance(double frequency) const;
 
 private:
-  /// `area_impedance` [ohm m2] of the core alone, between electrodes that are equipotential.
+  /// Impedance times area [ohm m2] of the core between equipotential electrodes.
   std::complex<double> core_impedance(double frequency) const;
 
   DerivedScales scales_;
   ScaledGrid grid_;
-  /// Departure of the concentration between neighbouring levels, over their spacing, that balances
-  /// a unit of the field: 1, or more where ions take room.
+  /// Thermodynamic factor 1 + c dmu/dc of the ions at rest [1], by which diffusion is faster: 1 for
+  /// dilute ions, more for the ion model `steric`.
   double diffusion_;
   SheetImpedance metal_;
 };

@@ -19,7 +19,8 @@ namespace {
 
 using Circuits = std::vector<std::optional<ScaledAdmittance>>;
 
-/// The cell with its conductors, within one implicit step from rest.
+/// Response of the cell at rest with its conductors, within one implicit Euler step of a readout
+/// interval.
 class RestingCell {
 public:
   RestingCell(const Case& input, const DerivedScales& scales, const TransportGrid& grid,
@@ -36,11 +37,11 @@ public:
     admittance_ = Eigen::Map<const Matrix>(cell.electrode_admittance().data(), count, count);
   }
 
-  /// Charge of one conductor by the potential of another.
+  /// Charge of one conductor (row) by the potential of another (column).
   const Eigen::MatrixXd& admittance() const { return admittance_; }
 
-  /// Potentials of the conductors by charges that are put on them, one column of the matrix for
-  /// each; 0 of those that are held.
+  /// Potentials of the conductors (rows) by a unit charge that is put on one of them (columns); 0
+  /// for conductors that the ground holds.
   Eigen::MatrixXd potentials(const Circuits& circuits) const {
     Eigen::MatrixXd system = admittance_;
     Eigen::MatrixXd sources = Eigen::MatrixXd::Identity(system.rows(), system.cols());
@@ -63,10 +64,10 @@ private:
   Eigen::MatrixXd admittance_;
 };
 
-/// Crosstalk of some conductors with circuits of their own, all of one face.
+/// Crosstalk between the conductors `own` with circuits of their own, all on one face.
 double of_conductors(const Scan& scan, const CutElectrode& cut, const RestingCell& cell,
                      const std::vector<Eigen::Index>& own) {
-  // The circuits of a scan are those while the first row is read.
+  // With a scan, the circuits are those while the first row is read.
   const Circuits circuits = cut.circuits(scan, 0);
   const Eigen::MatrixXd &admittance = cell.admittance(), voltage = cell.potentials(circuits);
   double largest = 0.0;
@@ -85,9 +86,9 @@ double of_conductors(const Scan& scan, const CutElectrode& cut, const RestingCel
   return largest;
 }
 
-/// Answers of the lines to a unit charge that a crossing drives from its row to its column:
-/// potentials where the circuits leave them free, else charges that pass. One column of the matrix
-/// for each line that a charge is put on.
+/// Reading of every line by a unit charge that is put on one of the lines: its potential where the
+/// circuits leave it free, else the charge that passes. One column of the matrix for each line that
+/// carries the charge.
 Eigen::MatrixXd shown(const RestingCell& cell, const Circuits& circuits) {
   const Eigen::MatrixXd free = cell.potentials(circuits);
   // The charge that the core drives onto a free line leaves it by its potential.
@@ -101,7 +102,8 @@ Eigen::MatrixXd shown(const RestingCell& cell, const Circuits& circuits) {
   return result;
 }
 
-/// Crosstalk of a crossbar that is scanned, each crossing in the turn of its row by its column.
+/// Crosstalk of a crossbar with a scan: each crossing is read by its column, in the turn of its
+/// row.
 double of_crossings(const Scan& scan, const CutElectrode& cut, const RestingCell& cell) {
   const std::size_t crossings = cut.row_of_segment.size(), rows = cut.row_of_segment.back() + 1,
                     columns = cut.row_of_segment.front();
@@ -126,7 +128,7 @@ double of_crossings(const Scan& scan, const CutElectrode& cut, const RestingCell
   return largest;
 }
 
-/// Crosstalk of a crossbar that is not scanned, each line against those beside it on its face.
+/// Crosstalk of a crossbar without a scan, between the lines of one face.
 double of_lines(const Case& input, const CutElectrode& cut, const RestingCell& cell) {
   std::array<std::vector<Eigen::Index>, 2> of_face;
   for (std::size_t e = 0; e < cut.conductors.size(); ++e) {

@@ -9,14 +9,17 @@
 
 namespace ionskin::electrochemistry {
 
-/// Crosstalk: how much of a signal of one taxel another one shows, in the cell at rest within one
-/// readout interval (one implicit Euler step of it, docs/model.md (65)): the largest
-///   |u_j / u_i| where charge is put on taxel i alone, if both have a voltage, or
-///   |Q_j / Q_i| where taxel i alone leaves the ground, if j or both are held at it.
-/// Nothing where fewer than two taxels have circuits of their own. Of a crossbar a unit charge that
-/// a crossing drives from its row to its column is the signal: the largest ratio of what another
-/// crossing shows of it, in the turn of its row by its column, over what the crossing itself shows;
-/// without a scan the above of lines on the same face.
+/// Computes the crosstalk between taxels [1]: the largest share of a signal of one taxel that
+/// another taxel shows, in the cell at rest after one implicit Euler step of a readout interval,
+/// docs/model.md (65). Nothing where fewer than two taxels have circuits of their own.
+///
+/// The signal is charge put on taxel i only, and the share |u_j / u_i|, if the potentials of both
+/// are free; else taxel i leaves the ground, and the share is |Q_j / Q_i|. In a crossbar with a
+/// scan the signal is a unit charge that a crossing drives from its row to its column, and the
+/// share is the reading of another crossing (by its column, in the turn of its row) over the
+/// crossing's own reading. In a crossbar without a scan the first two shares are taken between
+/// lines of the same face.
+/// @param history strain history, from which the transport grid follows
 std::optional<double> taxel_crosstalk(const Case& input, const history::CoreHistory& history);
 
 } // namespace ionskin::electrochemistry

@@ -27,15 +27,17 @@
 namespace ionskin::electrochemistry {
 namespace {
 
-/// Least charge that the steps resolve, over that of the largest drive, as for the full equations.
+/// Least charge that the steps resolve, over the charge by the largest drive, as for the full
+/// equations.
 constexpr double least_charge = 1e-3;
 
-/// Waves along the skin, [y][x], of the difference and of the sum of what top and bottom have.
+/// Amplitudes of cosine waves along the skin, [y][x]: half of the difference (odd) and half of the
+/// sum (even) of top and bottom.
 struct Waves {
   std::vector<double> odd, even;
 };
 
-/// A square matrix along the middle index of [outer][size][inner].
+/// Multiplies a square matrix along the middle index of a field [outer][size][inner].
 std::vector<double> along(const std::vector<double>& matrix, std::size_t size, std::size_t inner,
                           const std::vector<double>& field) {
   std::vector<double> result(field.size(), 0.0);
@@ -56,7 +58,8 @@ double width_of(const std::vector<double>& edges) {
   return (edges.back() - edges.front()) / static_cast<double>(edges.size() - 1);
 }
 
-/// Steps in vain after which a run leads nowhere; a few per cent of the steps are usual.
+/// Number of rejected steps, plus a number per accepted step, after which a run is given up; a few
+/// per cent are usual.
 constexpr std::size_t tries_in_vain = 1000, tries_in_vain_per_step = 10;
 
 class ThinLayerRun {
@@ -95,7 +98,7 @@ private:
   const TransportGrid& solved() const { return mirror_.solved_grid(); }
   double time() const { return solution_.time.back(); }
 
-  /// Charges per area of the walls as waves, and the circuit's state.
+  /// Charges per area of the walls as waves, and the state of the circuit.
   struct Charges {
     Waves wave; ///< [C/m2]
     LayerCircuit::State mean;
@@ -112,7 +115,7 @@ private:
     }
   }
 
-  /// Charges per area that balance the drive of the instant evaluated last, as waves.
+  /// Charges per area that balance the drive of the instant evaluated last, as waves [C/m2].
   Waves sources(const std::vector<double>& drive) const {
     Waves wave;
     for (std::size_t i = 0; i < columns_; ++i) {
@@ -131,9 +134,9 @@ private:
     return along(y_.from_modes, y_.size, x_.size, along(x_.from_modes, x_.size, 1, wave));
   }
 
-  /// Amplitude of the first wave, which is the mean: its value over the mean.
+  /// Amplitude of the first wave, a uniform field, over its value.
   double mean_wave() const { return std::sqrt(static_cast<double>(columns_)); }
-  /// S of the circuit [V].
+  /// Electromotive force S of the circuit [V].
   double force(const Waves& source) const {
     return 2.0 * source.odd.front() / (mean_wave() * layer_);
   }
@@ -150,7 +153,8 @@ private:
     return to;
   }
 
-  /// Mean or, weighed with their share, the root mean square over the columns, of charges per area.
+  /// Norm of charges per area [C/m2]: the larger of the mean and of the root mean square over the
+  /// columns times `column_share_`.
   double size_of(double mean, const Waves& wave) const {
     const auto squares = [](const std::vector<double>& part) {
       return std::inner_product(part.begin(), part.end(), part.begin(), 0.0);
@@ -169,7 +173,8 @@ private:
     return size_of((a.mean.charge - b.mean.charge) / area_, wave);
   }
 
-  /// Moves the drive to an instant, with the water that the ions have dragged until then.
+  /// Moves the drive to an instant, with the water that the ions have dragged until then; returns
+  /// `sources` there.
   Waves move(double time, const Charges& charges) {
     Waves source = sources(drive_.evaluate(time));
     const double unit = 1 / (valence_ * constants::faraday * mean_wave());
@@ -196,7 +201,7 @@ private:
     const poroelasticity::WaterState water = drive_.state();
     while (true) {
       const double end = control_.step_end(begin, next_step_), middle = 0.5 * (begin + end);
-      // The dragged water follows the charges at the begin of each half.
+      // Water is dragged by the charges at the begin of each half of the step.
       const Waves between = move(middle, charges_);
       const Charges half = step(charges_, middle - begin, source_, between);
       Waves last = move(end, half);
@@ -235,7 +240,7 @@ private:
     }
   }
 
-  /// Charges on the whole grid [C].
+  /// Charges of the columns of the whole grid [C].
   WallCharges column_charges() const {
     const double column = area_ / (mirror_.copies() * static_cast<double>(columns_));
     const std::vector<double> odd = columns_of(charges_.wave.odd),
@@ -267,8 +272,8 @@ private:
     solution_.shear_integral.push_back(0.0);
   }
 
-  /// Behind a wall of charge q per area the layer lacks q/(v F lambda) of cations, and q lambda/eps
-  /// falls over it.
+  /// Appends the extremes of concentration and potential: at a wall of charge q per area the layer
+  /// lacks q/(v F lambda) of cations, and the potential falls by q lambda/eps across it.
   void append_extremes(const WallCharges& charges) {
     double lowest = 0, largest = 0;
     for (const auto* wall : {&charges.top, &charges.bottom}) {

@@ -8,23 +8,25 @@
 
 namespace ionskin::electrochemistry {
 
-/// Study 2 of a law that moves water in the limit of thin double layers and a small drive: each
-/// layer is a capacitor eps/lambda per area, the core between them a conductor sigma, and what
-/// drives the cations an electromotive force -Omega, Omega = V_T g/v: docs/model.md (34), (35).
-/// Along the skin the charges of top and bottom are cosine waves, of which each is an exponential
-/// of its own: with alpha the wave number and a = h/2 their sum and difference relax at
+/// Solves Study 2 of a coupling law that moves water, in the limit of thin double layers and a
+/// small drive, docs/model.md (34), (35). Each double layer is a capacitor eps/lambda per area, the
+/// core between them a conductor sigma, and the drive of the cations an electromotive force -Omega,
+/// Omega = V_T g/v. Along the skin the charges of top and bottom are cosine waves, each of which
+/// decays exponentially: with alpha the wave number and a = h/2 their sum and difference relax at
 ///   (sigma lambda/eps) alpha tanh(alpha a)   and   (sigma lambda/eps) alpha coth(alpha a),
-/// the mean difference at 1/tau_c behind the circuit between the electrodes. Exact for Omega linear
-/// in time over half a step; steps are as long as the tolerance of the case allows. What it leaves
-/// out is of the order of 2 lambda/h (`thin_layer_error`) and of g.
+/// the mean difference at 1/tau_c behind the circuit between the electrodes. The solution is exact
+/// for Omega linear in time over half a step; steps are as long as the tolerance of the case
+/// allows. The error of the limit is of the order of 2 lambda/h (`thin_layer_error`) and of g.
 ///
 /// The rows are those of `solve_ion_transport`; concentrations and potentials are the extremes
-/// within the layers to first order. No fields are kept. Throws Interrupted, and SolverError when
-/// no step is short enough.
+/// within the layers to first order. Of `options` only `progress` is used: there are no snapshots
+/// and no checkpoints. Throws Interrupted, and SolverError when no step is short enough or the
+/// steps make no progress.
 IonSolution solve_thin_layers(const Case& input, const history::CoreHistory& history,
                               const IonOptions& options);
 
-/// Relative error that thin layers leave in a charge, 2 lambda/h.
+/// Estimates the relative error of a charge in the limit of thin double layers, 2 lambda/h [1].
+/// @param core_thickness h [m]
 double thin_layer_error(const Electrochemistry& electrochemistry, double core_thickness);
 
 } // namespace ionskin::electrochemistry

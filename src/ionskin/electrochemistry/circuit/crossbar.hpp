@@ -8,9 +8,10 @@
 
 namespace ionskin::electrochemistry {
 
-/// Both electrodes as lines that cross: the columns of the top face and the rows of the bottom one,
-/// each a conductor with a circuit to the ground. The segments are the crossings.
-/// @param grid the whole one
+/// Makes the electrodes of a crossbar, lines that cross: the columns of the top face, then the rows
+/// of the bottom face, each a conductor with a circuit to the ground. The segments are the
+/// crossings.
+/// @param grid transport grid of the whole skin
 CutElectrode crossbar(const Case& input, const DerivedScales& scales, const TransportGrid& grid);
 
 } // namespace ionskin::electrochemistry

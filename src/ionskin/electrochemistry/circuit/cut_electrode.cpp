@@ -17,16 +17,16 @@
 namespace ionskin::electrochemistry {
 namespace {
 
-/// Rounding, over the width of the skin, within which places mirror each other.
+/// Rounding, over the width of the skin, within which positions mirror each other.
 constexpr double mirror_rounding = 1e-9;
 
-/// Least share of a column: what is left over between taxels and covers less of every column is
-/// none.
+/// Least share of a column that a gap between taxels must cover in some column to be a conductor.
 constexpr double least_share = 0.01;
 
 constexpr const char* electrode = "";
 
-/// Names of the conductors: that of its taxel, or `electrode`.
+/// Name of the conductor of each segment: the name of its taxel, or `electrode` for the common
+/// electrode.
 std::vector<std::string> names_of_conductors(const Readout& readout,
                                              const ElectrodeSegments& segments) {
   std::vector<std::string> names;
@@ -37,7 +37,7 @@ std::vector<std::string> names_of_conductors(const Readout& readout,
   return names;
 }
 
-/// The taxel that lies where the mirror image of one does; nothing where there is none.
+/// Finds the taxel at the mirror image of a taxel about mid-width; nothing where there is none.
 std::optional<std::size_t> image_of(const Readout& readout, std::size_t taxel, double width) {
   const Taxel& one = readout.taxels[taxel];
   const auto same = [width](double a, double b) {
@@ -53,7 +53,7 @@ std::optional<std::size_t> image_of(const Readout& readout, std::size_t taxel, d
   return std::nullopt;
 }
 
-/// Gives what is left over to the taxels beside it where it is too narrow for the grid.
+/// Gives the area that no taxel covers to the taxels beside it where it is too narrow for the grid.
 void drop_narrow_rest(std::size_t taxels, ElectrodeSegments& segments) {
   if (segments.names.size() == taxels || std::ranges::max(segments.share.back()) >= least_share) {
     return;
@@ -160,7 +160,8 @@ std::optional<CutElectrode> cut_electrode(const Case& input, const DerivedScales
     const circuits::Circuit circuit =
         own ? circuits::circuit(readout.circuit_of(i), readout.parameters_of(i))
             : circuits::circuit(readout.circuit, readout.parameters);
-    // Two taxels that mirror each other are one conductor, half of one that mirrors itself another.
+    // Two taxels that mirror each other are one conductor with one circuit; of a taxel that is
+    // symmetric about mid-width only half is solved.
     copies.push_back(image != i ? 1.0 : mirror.copies());
     if (circuit.admittance) {
       conductor.admittance = scaled_admittance(*circuit.admittance, scales, column_area);

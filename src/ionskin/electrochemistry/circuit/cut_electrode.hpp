@@ -12,39 +12,46 @@
 
 namespace ionskin::electrochemistry {
 
-/// The electrodes of a case whose taxels have circuits of their own.
+/// Electrodes of a case whose taxels have circuits of their own, cut into conductors.
+/// `cut_electrode` makes them.
 struct CutElectrode {
-  /// Conductors on the solved part of the grid; the lines of a crossbar (Readout::lines), in their
-  /// order and on the whole grid.
+  /// Conductors on the solved part of the transport grid. For a crossbar they are its lines in the
+  /// order of `Readout::lines`, on the whole grid.
   WallElectrodes conductors;
-  /// Conductor of the top face of which each segment is a part (see `make_electrode_segments`).
+  /// Index of the conductor on the top face that contains each segment (see
+  /// `make_electrode_segments`).
   std::vector<std::size_t> conductor_of_segment;
-  /// Row with which each conductor is read; nothing for the electrode, and without a scan.
+  /// Row of the scan in which each conductor is read; nothing for conductors that are connected all
+  /// the time: the common electrode, the columns of a crossbar, and all of them without a scan.
   std::vector<std::optional<std::size_t>> row_of_conductor;
-  /// Number of copies of each conductor: the whole grid has so many times the charge of the solved
-  /// part.
+  /// Charge of each conductor on the whole skin over its charge on the solved part, 1 or 2.
   std::vector<double> copies;
-  /// Conductor of the bottom face below each segment; empty where that face is not cut.
+  /// Index of the conductor on the bottom face below each segment; empty where the bottom face is
+  /// not cut.
   std::vector<std::size_t> row_of_segment{};
 
-  /// The circuits of the conductors while a row is read.
+  /// Circuits of the conductors while a scan reads a row, one entry for each; an empty entry is a
+  /// conductor at the ground. Conductors of other rows are grounded or open, as `scan` says.
   std::vector<std::optional<ScaledAdmittance>> circuits(const Scan& scan, std::size_t row) const;
 };
 
-/// Instants between two others [s] at which a scan goes to the next row; none without a scan.
-/// Throws UserError where they are too many.
+/// Computes the instants between `begin` and `end` [s] at which a scan goes to the next row; none
+/// without a scan. Throws UserError when there are too many.
 std::vector<double> scan_switches(const Readout& readout, double begin, double end);
 
-/// True if the circuits of the taxels are their own mirror image about mid-width, as far as any of
-/// them has a potential.
+/// True if the circuits of the taxels are symmetric about mid-width. A crossbar is so only if the
+/// ground holds all its lines.
+/// @param width of the skin [m]
 bool taxels_are_mirrored(const Readout& readout, double width);
 
-/// Nothing where each electrode is one conductor. A taxel with a circuit of its own is a
-/// conductor; the other taxels and what no taxel covers are the electrode, which has that of the
-/// electrode. Taxels that mirror each other about mid-width, where half of the skin is solved, are
-/// one conductor. Strips between taxels that are narrower than a hundredth of a column are none. A
-/// crossbar has its lines as conductors.
-/// @param grid the whole one
+/// Cuts the electrodes of a case into conductors; nothing where each electrode is one conductor. A
+/// taxel with a circuit of its own is a conductor. The other taxels and the area without taxels are
+/// one conductor, the common electrode, with the circuit of the electrode. Where half of the skin
+/// is solved, two taxels that mirror each other about mid-width are one conductor. Gaps between
+/// taxels that are narrower than a hundredth of a column are no conductor: the taxels beside them
+/// cover them. The conductors of a crossbar are its lines.
+/// @param grid transport grid of the whole skin
+/// @param mirror part of the grid that is solved
 std::optional<CutElectrode> cut_electrode(const Case& input, const DerivedScales& scales,
                                           const TransportGrid& grid, const MidWidthMirror& mirror);
 

@@ -7,10 +7,10 @@
 namespace ionskin::electrochemistry {
 namespace {
 
-/// Shares below this are rounding of edges that coincide.
+/// Shares below this are rounding errors of edges that coincide.
 constexpr double share_rounding = 1e-9;
 
-/// Covered fraction of each cell of a line.
+/// Fraction of each cell of a line that lies between `lower` and `upper`.
 std::vector<double> covered(const std::vector<double>& edges, double lower, double upper) {
   std::vector<double> fraction(edges.size() - 1);
   for (std::size_t i = 0; i < fraction.size(); ++i) {
@@ -40,7 +40,8 @@ std::vector<double> ElectrodeSegments::charges(std::span<const double> column_ch
   std::vector<double> result;
   result.reserve(share.size());
   for (const std::vector<double>& weights : share) {
-    // Short steps divide what the sum rounds off by their length.
+    // Sums in extended precision: a current divides the rounding of the sum by the length of a
+    // step.
     result.push_back(static_cast<double>(
         std::inner_product(weights.begin(), weights.end(), column_charge.begin(), 0.0L)));
   }

@@ -10,18 +10,20 @@
 
 namespace ionskin::electrochemistry {
 
-/// Parts of the top electrode, each at the electrode's potential: the case's taxels, then "rest"
-/// for what they leave over. The charge of a column is uniform over its area, so that a part takes
-/// of it the exact share of the area that it covers.
+/// Parts (segments) of the top electrode whose charges are reported: the taxels of the case, then
+/// "rest" for the area without taxels. The charge of a lateral column counts as uniform over its
+/// area, so that a segment receives the exact share of the area that it covers.
 struct ElectrodeSegments {
   std::vector<std::string> names;
-  std::vector<std::vector<double>> share; ///< of each column's charge [segment][y][x], 0 to 1
+  /// Share of each column that a segment covers [segment][y][x], 0 to 1.
+  std::vector<std::vector<double>> share;
 
-  /// Charge of each segment, in the unit of `column_charge` [y][x].
+  /// Computes the charge of each segment from the charges of the columns [y][x], in the same unit.
   std::vector<double> charges(std::span<const double> column_charge) const;
 };
 
-/// No segments without taxels; no "rest" where the taxels cover the whole face.
+/// Makes the segments from the taxels of a case: none without taxels, no "rest" where the taxels
+/// cover the whole face.
 ElectrodeSegments make_electrode_segments(const std::vector<Taxel>& taxels,
                                           const TransportGrid& grid);
 

@@ -6,12 +6,12 @@
 namespace ionskin::electrochemistry {
 namespace {
 
-/// (1 - exp(-a))/a, 1 at 0.
+/// Computes (1 - exp(-a))/a, which is 1 at 0.
 double mean_decay(double a) {
   return std::abs(a) < 1e-8 ? 1.0 - 0.5 * a : -std::expm1(-a) / a;
 }
 
-/// Amount at the end of dx/dt = drive(t) - rate x, drive linear.
+/// Solves dx/dt = drive(t) - rate x over `duration` for a drive that is linear in time.
 double driven(double amount, double rate, double duration, double drive_begin, double drive_end) {
   const double a = rate * duration, mean = mean_decay(a);
   // Integral of exp(-a (1 - s)) s over s from 0 to 1.

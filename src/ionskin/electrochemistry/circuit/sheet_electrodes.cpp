@@ -13,10 +13,11 @@ namespace {
 /// in potential along the metal are lost in rounding.
 constexpr double most_conductance = 1e7;
 
-/// Implicit part of a step that only asks for the potential [relaxation times].
+/// Implicit part of a step for which only Poisson's equation is solved [relaxation times].
 constexpr double instant_step = 1e-6;
 
-/// Share of each row of columns between 0 and `reach`.
+/// Rows of columns along y that a lead between 0 and `reach` [m] touches, and the touched share of
+/// their widths.
 SheetElectrodes::Contact rows_up_to(const std::vector<double>& edges, double reach) {
   SheetElectrodes::Contact contact;
   for (std::size_t j = 0; j + 1 < edges.size() && edges[j] < reach; ++j) {
@@ -69,8 +70,8 @@ double SheetElectrodes::contact_mean(std::span<const double> top, double origin)
   return sum / total_share_;
 }
 
-// The sum over the columns of what they start from and of what comes from the lead is what the
-// circuit leaves them.
+// The charges that the columns start from and the charge that comes from the lead add up to the
+// charge that the circuit leaves on the columns.
 double SheetElectrodes::lead_potential(const SheetStage& stage, double potential_bottom,
                                        double potential_top, std::span<const double> top) const {
   if (!stage.circuit) {

@@ -17,30 +17,34 @@
 
 namespace ionskin::electrochemistry {
 
-/// Equations that metal with a sheet resistance adds to one implicit stage, all scaled: the charge
-/// per area of every column is what it starts from, plus `step` times what comes along the metal
-/// and from the contact.
+/// Equations that electrodes with a sheet resistance add to one implicit stage, scaled. The charge
+/// per area of every column is its `start` plus `step` times the current that comes along the metal
+/// and from the lead.
 struct SheetStage {
-  std::array<std::vector<double>, 2> start; ///< of the columns of the bottom and of the top wall
-  /// Mean over the top wall of the start, without what returns through the ground.
+  std::array<std::vector<double>, 2> start; ///< [bottom, top][y][x]
+  /// Mean of `start` over the top wall, without the net charge that returns through the ground.
   double passed = 0;
-  double step = 0;
-  std::optional<CircuitStage> circuit; ///< nothing where the potentials of both leads are given
+  double step = 0; ///< implicit part of the time step [relaxation times]
+  /// Circuit between the leads; nothing where the potentials of both leads are given.
+  std::optional<CircuitStage> circuit;
 };
 
-/// Both electrodes as sheets of metal with leads at their ends: charge moves along them by their
-/// sheet resistances, docs/model.md (67). A contact joins half a column's width of metal to a lead.
+/// Electrodes as two sheets of metal with leads at their ends. Charge moves along the metal by its
+/// sheet resistance, docs/model.md (67). A lead is joined to each column that it touches by half a
+/// column's length of metal.
 class SheetElectrodes {
 public:
-  /// Columns whose outer side a lead touches: all that are in one of `columns_x` and in one of
-  /// `columns_y`, whose shares of the width are touched.
+  /// Columns whose outer side a lead touches: all columns with an x index in `columns_x` and a y
+  /// index in `columns_y`. `share_y` is the touched share of the width of each of `columns_y`, 0 to
+  /// 1.
   struct Contact {
     std::vector<std::size_t> columns_x, columns_y;
     std::vector<double> share_y;
   };
 
-  /// @param grid must outlive this
-  /// @param conductance of a square of either metal in units of F c0 lambda^3 v F / (tau R T)
+  /// @param grid solved part of the grid; must outlive this
+  /// @param conductance of a square of the bottom and of the top metal [F c0 lambda^3 v F / (tau R
+  ///   T)]
   /// @param admittance between the leads; nothing where their potentials are given
   SheetElectrodes(const ScaledGrid& grid, std::array<double, 2> conductance, Contact contact,
                   std::optional<ScaledAdmittance> admittance);
@@ -48,27 +52,38 @@ public:
   double conductance(std::size_t wall) const { return conductance_[wall]; }
   const Contact& contact() const { return contact_; }
   const std::optional<ScaledAdmittance>& admittance() const { return admittance_; }
-  /// Columns that the leads touch, row by row of `contact`, and the conductance to each.
+  /// Indices of the columns that the leads touch, row by row of `contact`.
   const std::vector<std::size_t>& touched() const { return touched_; }
+  /// Conductance between the lead of a wall and each touched column, per area of a column, in the
+  /// order of `touched`.
   std::vector<double> contact_conductance(std::size_t wall) const;
-  /// Conductance of the whole contact.
+  /// Sum of `contact_conductance` over the touched columns.
   double total_contact(std::size_t wall) const;
 
-  /// Implicit part of a step for the metal. Where only Poisson's equation is asked, a time in which
-  /// next to nothing moves fixes the potential of the cell as a whole.
+  /// Limits the implicit part of a time step [relaxation times] for the metal from below. Where
+  /// only Poisson's equation is solved, `step` is 0; a time in which next to no charge moves then
+  /// fixes the potential of the cell as a whole.
   static double implicit_step(double step);
-  /// Conductance that a circuit adds to a stage beside `SheetStage::circuit`'s start: 1/R and C
-  /// over the step.
+  /// Conductance of the circuit between the leads in a stage, step/R + C; 0 without a circuit.
   double circuit_conductance(double step) const;
 
-  /// The potential of the lead of the top electrode: given, or by the circuit.
+  /// Potential of the lead of the top electrode [R T/(v F)]: as given, or as the circuit determines
+  /// it.
+  /// @param potential_bottom potential of the lead of the bottom electrode
+  /// @param potential_top given potential, used without a circuit
+  /// @param top potentials of the columns of the top wall [y][x]
   double lead_potential(const SheetStage& stage, double potential_bottom, double potential_top,
                         std::span<const double> top) const;
-  /// Change of the lead's potential with one of the potentials of the top wall.
+  /// Computes the change of the top lead's potential with a change of the potentials of the top
+  /// wall [y][x]; 0 without a circuit.
   double lead_change(const SheetStage& stage, std::span<const double> change) const;
 
-  /// Subtracts from `charge` the charge that comes to every column of a wall within the step, by
-  /// its potentials and that of its lead.
+  /// Subtracts from `charge` the charge per area that reaches every column of a wall within `step`,
+  /// along the metal and from the lead.
+  /// @param step implicit part of the time step [relaxation times]
+  /// @param potential of the columns of the wall [y][x]
+  /// @param lead potential of the wall's lead
+  /// @param charge per area of the columns [y][x]
   void take_inflow(std::size_t wall, double step, std::span<const double> potential, double lead,
                    std::span<double> charge) const;
 
@@ -80,13 +95,13 @@ private:
   Contact contact_;
   std::optional<ScaledAdmittance> admittance_;
   std::vector<std::size_t> touched_;
-  std::vector<double> touched_share_; ///< conductance to a contact over that of a square of metal
+  std::vector<double> touched_share_; ///< conductance to the lead over that of a square of metal
   double total_share_ = 0;
 };
 
-/// Nothing where both electrodes are equipotentials: without sheet resistance, or touched
-/// everywhere.
-/// @param scaled the solved part of the grid
+/// Makes the electrodes of a case with sheet resistances; nothing where both electrodes are
+/// equipotential, without sheet resistance or touched everywhere by the leads.
+/// @param scaled solved part of the grid
 std::optional<SheetElectrodes> sheet_electrodes(const Case& input, const DerivedScales& scales,
                                                 const MidWidthMirror& mirror,
                                                 const ScaledGrid& scaled);

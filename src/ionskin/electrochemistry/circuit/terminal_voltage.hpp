@@ -8,33 +8,38 @@
 
 namespace ionskin::electrochemistry {
 
-/// Equation that the circuit between the electrodes adds to one implicit stage: half the difference
-/// of their charges, per area, obeys q = start - conductance * voltage. All scaled.
+/// Equation that the circuit between the electrodes adds to one implicit stage: q = start -
+/// conductance * voltage, with q half of the difference of the electrodes' charges per area. All
+/// scaled.
 struct CircuitStage {
-  double start = 0; ///< charge that the stage starts from, that on the circuit's capacitor included
-  /// Conductance of the circuit, times the implicit part of the step, plus its capacitance; 0 is
-  /// open.
+  double start = 0; ///< charge per area the stage starts from, with the circuit's capacitor
+  /// 1/R of the circuit times the implicit part of the time step, plus its C; 0 is open.
   double conductance = 0;
 };
 
-/// The potential difference of the electrodes, top minus bottom, as the circuit between them and
-/// the charge in the core determine it. By the theorem of Ramo (see `ramo_charge_top`)
+/// Voltage between equipotential electrodes, top minus bottom, as it follows from the circuit
+/// between them and the charge in the core. By the theorem of Ramo (see `ramo_charge_top`)
 ///   q = p + voltage/h,   p = mean over the columns of integral((zeta/h - 1/2)(cf - c)),
 /// docs/model.md (32): voltage = (start - p)/(1/h + conductance) is an explicit linear function of
-/// the concentrations, and needs no unknown of its own.
+/// the concentrations, and needs no unknown of its own. All scaled.
 class TerminalVoltage {
 public:
   explicit TerminalVoltage(const ScaledGrid& grid);
 
-  /// Half the difference of the electrodes' charges per area at equal potentials, p.
+  /// Computes p, half of the difference of the electrodes' charges per area at equal potentials [F
+  /// c0 lambda].
+  /// @param concentration c of the ions [c0/v], [nodes]
+  /// @param fixed_charge cf/c0 [nodes]
   double polarisation(std::span<const double> concentration,
                       std::span<const double> fixed_charge) const;
-  /// The part of p, or of a change of p, that departures of the ion concentration from `origin`
-  /// make.
+  /// Computes the part of p that the ions make by the departure of their concentration from
+  /// `origin`. For a change of the concentration, with `origin` 0, it is the change of p.
   double of_ions(std::span<const double> concentration, double origin) const;
+  /// Computes the voltage [R T/(v F)] that satisfies the equation of the circuit; arguments as for
+  /// `polarisation`.
   double voltage(const CircuitStage& stage, std::span<const double> concentration,
                  std::span<const double> fixed_charge) const;
-  /// Change of the voltage with a change of the concentrations.
+  /// Computes the change of the voltage with a change of the concentrations [nodes].
   double change(const CircuitStage& stage, std::span<const double> concentration_change) const;
 
 private:
@@ -43,7 +48,7 @@ private:
                        double origin) const;
 
   const ScaledGrid& grid_;
-  std::vector<double> ion_weight_, fixed_weight_; ///< per level
+  std::vector<double> ion_weight_, fixed_weight_; ///< weights of p per z level
 };
 
 } // namespace ionskin::electrochemistry

@@ -11,7 +11,7 @@
 namespace ionskin::electrochemistry {
 namespace {
 
-/// Shares below this are rounding of edges that coincide.
+/// Shares below this are rounding errors of edges that coincide.
 constexpr double share_rounding = 1e-9;
 
 using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;

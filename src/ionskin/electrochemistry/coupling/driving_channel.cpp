@@ -16,7 +16,7 @@ double fixed_charge_density(const Case& input) {
   return constants::faraday * input.electrochemistry.fixed_charge_concentration;
 }
 
-/// Charge density that a unit of pressure moves, by streaming [C/m3/Pa].
+/// Charge per volume that a unit of pressure moves by streaming [C/m3/Pa].
 double charge_density_of_pressure(const Case& input) {
   const auto water = poroelasticity::derive_water_properties(input);
   return fixed_charge_density(input) * input.electrochemistry.valence *

@@ -6,7 +6,7 @@
 namespace ionskin::electrochemistry {
 namespace {
 
-/// Sum over the columns of the departure from a value.
+/// Sums the departure from `origin` over the columns of a z level.
 double level_sum(std::span<const double> field, std::size_t level, std::size_t columns,
                  double origin) {
   const double* values = field.data() + level * columns;

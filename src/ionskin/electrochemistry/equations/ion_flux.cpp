@@ -11,8 +11,8 @@
 namespace ionskin::electrochemistry {
 namespace {
 
-/// Below this |x| the Taylor series (remainder under 1e-17) replaces the formula, which cancels
-/// there. Most of a core stays below, where the series also is the faster one.
+/// Bound on |x| below which the Taylor series (remainder under 1e-17) replaces the formula, which
+/// cancels there. Most of a core stays below it, where the series also is faster.
 constexpr double series_limit = 0.5;
 
 /// Coefficients of x^2, x^4, ... of B: Bernoulli numbers over factorials.
@@ -39,23 +39,23 @@ inline double derivative_series(double x) {
   return -0.5 + x * odd;
 }
 
-/// B from x and exp(x).
+/// Bernoulli function B from x and exp(x).
 inline double value_of(double x, double exponential) {
   const bool small = std::abs(x) < series_limit;
   const double formula = x / (small ? 1.0 : exponential - 1.0);
   return small ? value_series(x) : formula;
 }
 
-/// B' = B (1 - B - x) / x, which follows from exp(x) = 1 + x / B.
+/// Derivative B' = B (1 - B - x) / x, which follows from exp(x) = 1 + x / B.
 inline double derivative_of(double x, double value) {
   const bool small = std::abs(x) < series_limit;
   const double formula = value * (1.0 - value - x) / (small ? 1.0 : x);
   return small ? derivative_series(x) : formula;
 }
 
-/// exp(x) for |x| <= 700 to 2e-16, as 2^n times the Taylor series of the rest. Unlike a library's,
-/// it is compiled into the loops below, so that every element is rounded alike wherever it stands
-/// in a row.
+/// Exponential of |x| <= 700 to 2e-16, as 2^n times the Taylor series of the rest. Unlike a library
+/// function it is compiled into the loops below, so that the rounding of an element does not depend
+/// on its position in a row.
 inline double exponential(double x) {
   constexpr double shifter = 0x1.8p52; // adding it rounds to an integer in the lowest bits
   constexpr double ln2_high = 0x1.62e42fefa0000p-1, ln2_low = 0x1.cf79abc9e3b3ap-40;
@@ -72,7 +72,7 @@ inline double exponential(double x) {
   return series * std::bit_cast<double>(power);
 }
 
-/// Differences of potential beyond this leave no flux against the field in double precision.
+/// Difference of potential beyond which no flux against the field is left in double precision.
 constexpr double largest_difference = 700.0;
 
 } // namespace

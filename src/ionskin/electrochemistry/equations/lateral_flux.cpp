@@ -11,7 +11,7 @@ struct Face {
   double field = 0;
 };
 
-/// Ions into column a from b, driven by p.
+/// Ions that flow into column a from column b, driven by p.
 inline double ions_into(const double* c, const double* p, std::size_t a, std::size_t b) {
   return (c[b] - c[a]) + 0.5 * (c[a] + c[b]) * (p[b] - p[a]);
 }
@@ -30,7 +30,8 @@ LateralFlux::LateralFlux(const ScaledGrid& grid)
       field_x_(grid.columns_x + 1, 0.0), ions_before_(grid.columns_x),
       field_before_(grid.columns_x), ions_behind_(grid.columns_x), field_behind_(grid.columns_x) {}
 
-/// `face(a, b)` is the flux into column a from its neighbour b, without the factor g.
+/// Sums the fluxes into every column; `face(a, b)` is the flux into column a from its neighbour b,
+/// without the factor g.
 template <class FaceFlux>
 void LateralFlux::sum_faces(const FaceFlux& face, std::span<double> ions, std::span<double> field) {
   std::fill(ions_before_.begin(), ions_before_.end(), 0.0);

@@ -18,8 +18,8 @@ double column_centre(const std::vector<double>& edges, std::size_t column) {
   return 0.5 * (edges[column] + edges[column + 1]);
 }
 
-/// The first node whose value is the extreme one but for rounding, by which nodes that mirror each
-/// other differ.
+/// Finds the first node whose value equals `extreme` but for rounding, by which nodes that mirror
+/// each other differ.
 std::size_t first_at(const std::vector<double>& values, double extreme) {
   const auto first = std::ranges::find_if(values, [extreme](double value) {
     return value == extreme || std::abs(value - extreme) <= 1e-9 * std::abs(extreme);

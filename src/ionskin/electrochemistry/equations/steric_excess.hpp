@@ -9,37 +9,40 @@
 
 namespace ionskin::electrochemistry {
 
-/// Ion model `steric`: ions of finite size on a lattice of N_A c_max sites. A cation of
-/// concentration c has the excess chemical potential
+/// Excess chemical potential of ions of finite size, the ion model `steric`: a lattice of N_A c_max
+/// sites. A cation of concentration c has the excess
 ///   mu = -ln(1 - c/c_max)   [k T],
 /// docs/model.md (15), so that its flux is J = -D (grad c + (v F / R T) c grad phi + c grad mu) and
 /// c stays below c_max (Bikerman 1942, doi 10.1080/14786444208520813; Kilic, Bazant and Ajdari
-/// 2007, doi 10.1103/PhysRevE.75.021503). The excess acts as a potential does: both drive the flux
-/// as the sum psi = phi + mu, wherever the dilute flux has phi. Scaled: c is over c0/v, phi over R
-/// T/(v F).
+/// 2007, doi 10.1103/PhysRevE.75.021503). The excess acts as a potential does: the sum psi = phi +
+/// mu drives the flux wherever phi drives dilute ions. In all functions c is in units of c0/v, phi
+/// and mu in R T/(v F).
 struct StericExcess {
-  double filling = 0; ///< c0/(v c_max): the share of the sites that the ions at rest take, below 1
+  double filling = 0; ///< c0/(v c_max), share of the sites that ions at rest take, below 1
 
-  /// Free share of the sites.
+  /// Free share of the sites at a concentration.
   double room(double concentration) const { return 1.0 - filling * concentration; }
-  /// mu, and its derivative by the concentration.
+  /// Excess mu at a concentration, and its derivative by the concentration.
   double excess(double concentration) const { return -std::log1p(-filling * concentration); }
   double slope(double concentration) const { return filling / room(concentration); }
 
-  /// psi = phi + mu per node.
+  /// Computes psi = phi + mu at every node into `out`.
   void drive(std::span<const double> concentration, std::span<const double> potential,
              std::span<double> out) const;
-  /// Change of psi with a change of concentration and potential about a state.
+  /// Computes the change of psi with a change of concentration and potential about a state, per
+  /// node, into `out`.
   void drive_change(std::span<const double> concentration, std::span<const double> d_concentration,
                     std::span<const double> d_potential, std::span<double> out) const;
 
-  /// True if every node of `guess` has more than a share of the room that it has in `safe`.
+  /// True if the free share of the sites at every node of `guess` is more than `share` times that
+  /// in `safe`.
   bool leaves_room(std::span<const double> safe, std::span<const double> guess, double share) const;
-  /// Shortens changes so that no node loses more than all but a share of its room.
+  /// Limits the concentrations `after` so that every node keeps at least `share` of the free sites
+  /// that it has in `before`.
   void keep_room(std::span<const double> before, std::span<double> after, double share) const;
 };
 
-/// The excess of a case, or nothing for `dilute`.
+/// Makes the steric excess of a case; nothing for the ion model `dilute`.
 std::optional<StericExcess> steric_excess(const Electrochemistry& electrochemistry);
 
 } // namespace ionskin::electrochemistry

@@ -6,7 +6,7 @@
 namespace ionskin::electrochemistry {
 namespace {
 
-/// Nodes whose drive one thread sums in a row.
+/// Number of nodes in a row whose drive one thread computes.
 constexpr std::size_t drive_granularity = 1024;
 
 } // namespace
@@ -195,7 +195,7 @@ void TransportEquations::residual_levels(const StageProblem& problem, double pot
       const ChargeWeights weight = charge_weights(grid_, k);
 #pragma omp simd
       for (std::size_t i = 0; i < columns; ++i) {
-        // Departures from 1, so that a core at rest carries exactly no charge.
+        // Departures from 1 are summed, so that a core at rest carries exactly no charge.
         const double charge = weight.below * (c_below[i] - 1.0) + weight.here * (c_k[i] - 1.0) +
                               weight.above * (c_above[i] - 1.0) - height * (fixed[i] - 1.0);
         poisson[i] = up * (phi_k[i] - phi_above[i]) + down * (phi_k[i] - phi_below[i]) -
@@ -259,7 +259,7 @@ void TransportEquations::apply_jacobian(std::span<const double> direction, std::
   }
 }
 
-/// Change of the flux between levels `interface` and `interface` + 1.
+/// Computes the change of the flux between the z levels `interface` and `interface` + 1.
 void TransportEquations::flux_change(std::size_t interface, std::span<const double> direction,
                                      std::span<double> flux) const {
   const std::size_t columns = grid_.columns(), offset = interface * columns;

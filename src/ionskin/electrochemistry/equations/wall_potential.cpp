@@ -11,7 +11,8 @@
 namespace ionskin::electrochemistry {
 namespace {
 
-/// Potentials beyond it leave a concentration of exp(-600), near the smallest number there is.
+/// Potential [R T/(v F)] beyond which the concentration, exp(-600), is near the smallest number in
+/// double precision.
 constexpr double largest_potential = 600.0;
 
 } // namespace

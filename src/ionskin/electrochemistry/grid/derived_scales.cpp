@@ -9,8 +9,8 @@ namespace ionskin::electrochemistry {
 
 namespace {
 
-/// Capacitance of a double layer at rest over an area of its own; crowded ions make it thicker
-/// [F/m2].
+/// Capacitance of a double layer at rest per true area [F/m2]; ions of finite size make the layer
+/// thicker.
 double layer_capacitance(const Electrochemistry& electrochemistry, double debye_length) {
   const double share =
       electrochemistry.ion_model == IonModel::steric

@@ -10,24 +10,27 @@
 
 namespace ionskin::electrochemistry {
 
-/// True if the shear is, to rounding, its own mirror image about mid-width at every sample. Then
-/// the ions are too, and half of the columns suffice.
+/// True if a strain history is symmetric about mid-width at every sample, to rounding. The ions
+/// then are symmetric, too, and half of the columns suffices.
 bool is_mirrored(const history::CoreHistory& history);
 
-/// The part of a transport grid that is solved, and the way back to the whole: the half of lower y
-/// where the history is mirrored about mid-width and the columns come in pairs, else all of it.
+/// Part of the transport grid that is solved, and the way back to the whole grid. Only the half at
+/// lower y is solved where history and circuits are symmetric about mid-width and the number of
+/// columns along y is even, else the whole grid.
 class MidWidthMirror {
 public:
-  /// @param readout_is_mirrored false where the circuits of the top face are not mirror images
+  /// @param whole transport grid of the whole skin
+  /// @param readout_is_mirrored false where the circuits of the electrodes are not symmetric about
+  ///   mid-width
   MidWidthMirror(const TransportGrid& whole, const history::CoreHistory& history,
                  bool readout_is_mirrored = true);
 
   const TransportGrid& solved_grid() const { return solved_; }
-  /// Number of times that the solved part is in the whole.
+  /// Number of solved parts that make the whole grid, 1 or 2.
   double copies() const { return halved_ ? 2.0 : 1.0; }
-  /// A field on the whole grid from its solved part, [z][y][x] or [y][x].
+  /// Extends a field from the solved part to the whole grid, [z][y][x] or [y][x].
   std::vector<double> whole(std::span<const double> solved) const;
-  /// Charges of all columns, and their sums.
+  /// Extends the charges of the columns, and their sums, from the solved part to the whole grid.
   void complete(WallCharges& charges) const;
 
 private:

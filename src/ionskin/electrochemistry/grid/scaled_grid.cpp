@@ -17,12 +17,13 @@ double lateral_coupling(const std::vector<double>& edges, double debye_length) {
   return 1.0 / (width * width);
 }
 
-/// @param wall_distance of the middle of the interval
+/// Coefficient e of `charge_weights` for an interval.
+/// @param wall_distance distance of the middle of the interval from the nearer wall [Debye lengths]
 double charge_exchange(double spacing, double wall_distance) {
   return 0.25 * spacing / (1.0 + std::pow(wall_distance / 6.0, 8));
 }
 
-/// Gives the intervals within `interface_depth` of either wall so many times the area.
+/// Multiplies the area of the intervals within `interface_depth` of either wall by `area_ratio`.
 void enlarge_interfaces(double area_ratio, ScaledGrid& grid) {
   const double whole = grid.thickness;
   grid.height.assign(grid.levels, 0.0);

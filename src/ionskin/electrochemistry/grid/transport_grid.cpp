@@ -18,7 +18,7 @@ constexpr std::size_t fewest_x = 24, most_x = 150, fewest_y = 8, most_y = 40;
 /// Thickness of the part at each wall that grows with `layer_growth` [Debye lengths].
 constexpr double layer_thickness = 1.0;
 
-/// Terms of first, first q, first q^2, ... that are needed to reach a sum.
+/// Number of terms of the series first, first q, first q^2, ... whose sum reaches `sum`.
 std::size_t terms_to_reach(double sum, double first, double ratio) {
   return static_cast<std::size_t>(
       std::ceil(std::log1p(sum / first * (ratio - 1.0)) / std::log(ratio)));
@@ -32,7 +32,7 @@ double geometric_sum(double first, double ratio, std::size_t count) {
   return sum;
 }
 
-/// Appends `count` spacings in a ratio that lets them add up to `sum`, following on `last`.
+/// Appends `count` spacings after `last`, in a constant ratio for which they add up to `sum`.
 void append_fitted(std::vector<double>& spacings, double last, double sum, std::size_t count) {
   double low = 0.5, high = 4.0;
   for (int i = 0; i < 100; ++i) {
@@ -45,7 +45,7 @@ void append_fitted(std::vector<double>& spacings, double last, double sum, std::
   }
 }
 
-/// Spacings from a wall to the middle.
+/// Spacings from a wall to the middle [Debye lengths].
 std::vector<double> half_spacings(double half, const GridResolution& resolution) {
   const double first = resolution.wall_cell, layer = std::min(layer_thickness, 0.25 * half);
   std::vector<double> spacings;
@@ -67,8 +67,8 @@ std::vector<double> half_spacings(double half, const GridResolution& resolution)
   return spacings;
 }
 
-/// True if potentials of the top face differ along an axis: a taxel with a circuit of its own ends
-/// on the skin.
+/// True if the potential of the top face varies along an axis: a taxel with a circuit of its own
+/// ends on the skin.
 bool is_cut(const Readout& readout, std::size_t axis, double length) {
   bool cut = false;
   for (std::size_t i = 0; i < readout.taxels.size(); ++i) {
@@ -181,7 +181,8 @@ TransportGrid make_transport_grid(const Case& input, const history::CoreHistory&
       uniform_x ? 1 : column_count(history.length, width, bound(fewest_x), bound(most_x));
   const std::size_t across = column_count(history.width, width, bound(fewest_y), bound(most_y));
   const std::size_t columns_y = uniform_y ? 1 : across + across % 2;
-  // A taxel with a potential of its own needs columns of its own.
+  // Raises a number of columns so that taxels with a potential of their own have columns of their
+  // own.
   const auto resolved = [&](std::size_t count, std::size_t axis, double length) {
     for (std::size_t i = 0; count > 1 && i < input.readout.taxels.size(); ++i) {
       const Taxel& taxel = input.readout.taxels[i];

@@ -5,7 +5,8 @@
 
 namespace ionskin::electrochemistry {
 
-/// Potentials of the electrodes against time [V]; both 0 is the short circuit.
+/// Prescribed potentials of the electrodes [V] as functions of time [s]. Both are 0 by default,
+/// which is a short circuit.
 struct ElectrodePotentials {
   std::function<double(double time)> top = [](double) { return 0.0; };
   std::function<double(double time)> bottom = [](double) { return 0.0; };

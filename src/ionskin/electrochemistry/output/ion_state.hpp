@@ -10,7 +10,8 @@
 
 namespace ionskin::electrochemistry {
 
-/// Scaled unknowns: concentration v c / c0, then potential v F phi / (R T), each [z][y][x].
+/// Unknowns of the ion transport in scaled units: concentration [c0/v], then potential [R T/(v F)],
+/// each [z][y][x] with x fastest.
 struct IonState {
   std::vector<double> values;
 
@@ -23,16 +24,20 @@ struct IonState {
   std::span<const double> potential() const { return {values.data() + nodes(), nodes()}; }
 };
 
-/// State from which a time step starts, with all that the choice of the step depends on.
+/// State of the solver between two time steps: all that the next step and the choice of its length
+/// depend on.
 struct TransportState {
   IonState ions;
-  /// Rate of change at the end of the last step [1/scaled time]: of concentration minus released
-  /// ions, then of potential.
+  /// Rates of change at the end of the last step [1/relaxation time]: of concentration minus
+  /// released ions, then of potential, [2 nodes].
   std::vector<double> rate;
-  double next_step = 0;                             ///< length to try next [s]
-  double charge_scale = 0;                          ///< largest charge so far; see ChargeNorm
-  std::optional<poroelasticity::WaterState> memory; ///< of laws that move water
-  /// Charges of the conductors of cut faces, see ElectrodeCharges; empty for one conductor.
+  double next_step = 0;    ///< length of the next step to try [s]
+  double charge_scale = 0; ///< largest charge per area so far [F c0 lambda], by `ChargeNorm`
+  /// State of the water; nothing for laws that do not move water.
+  std::optional<poroelasticity::WaterState> memory;
+  /// Scaled charges of the conductors of cut faces (`ElectrodeCharges`), or the packed state of
+  /// metal with sheet resistances (`SheetState::packed`); empty where each electrode is one
+  /// equipotential conductor.
   std::vector<double> electrode_charge{};
 };
 

@@ -12,25 +12,29 @@
 
 namespace ionskin::electrochemistry {
 
-/// The preconditioner closed by the circuit between the electrodes. The voltage is a linear
-/// function of the concentrations, which adds a matrix of rank one to the Jacobian: its inverse
-/// follows from the answer to a unit voltage, the same in every column (Sherman and Morrison 1950,
-/// doi 10.1214/aoms/1177729893). Conductors of a cut face are FastDiagonalisation's own.
+/// Approximate inverse of the Jacobian of a stage, with the circuit between the electrodes. The
+/// voltage is a linear function of the concentrations, which adds a matrix of rank one to the
+/// Jacobian of `FastDiagonalisation`: its inverse follows from the response to a unit voltage, the
+/// same in every column (Sherman and Morrison 1950, doi 10.1214/aoms/1177729893). Conductors of a
+/// cut face are part of `FastDiagonalisation` itself.
 class ClosedPreconditioner {
 public:
-  /// @param excess nothing for dilute ions
-  /// @param electrodes and `sheets`: see FastDiagonalisation
+  /// @param excess steric excess; nothing for dilute ions
+  /// @param electrodes, sheets as for `FastDiagonalisation`
   ClosedPreconditioner(const ScaledGrid& grid, parallel::WorkerTeam& team,
                        std::optional<StericExcess> excess = std::nullopt,
                        const WallElectrodes* electrodes = nullptr,
                        const SheetElectrodes* sheets = nullptr);
 
+  /// Factorises the Jacobian for the lateral average of a state.
+  /// @param step implicit part of the time step [relaxation times]
   void factorise(const IonState& state, double step);
 
-  /// Product out = (approximate Jacobian)^-1 residual; both [2 nodes].
+  /// Computes out = (approximate Jacobian)^-1 residual; both [2 nodes].
   void apply(const StageProblem& problem, std::span<const double> residual, std::span<double> out);
 
-  /// Sums for an open circuit, see FastDiagonalisation.
+  /// Sums of a damped change at given potentials of the electrodes, see
+  /// `FastDiagonalisation::damped_sums`.
   std::array<std::vector<double>, 2>
   damped_sums(std::span<const double> concentration,
               const std::array<std::vector<double>, 2>& weights) {

@@ -11,7 +11,8 @@ namespace {
 
 using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-/// Value of orthonormal cosines in a cell, in the order given.
+/// Values of all orthonormal cosines in a cell, even modes first up to `first_odd`; in ascending
+/// order if that is `cells`.
 std::vector<double> cosines(std::size_t cell, std::size_t cells, std::size_t first_odd) {
   std::vector<double> values;
   const auto count = static_cast<double>(cells);
@@ -31,7 +32,7 @@ std::vector<double> cosines(std::size_t cell, std::size_t cells, std::size_t fir
 ContactCoupling::ContactCoupling(const ScaledGrid& grid, const SheetElectrodes& electrodes)
     : grid_(grid), electrodes_(electrodes), rows_(electrodes.contact().columns_y.size()),
       ends_(electrodes.contact().columns_x.size()) {
-  // CosineTransform keeps the even modes of x before the odd ones.
+  // `CosineTransform` orders the even modes of x before the odd ones.
   for (const std::size_t x : electrodes.contact().columns_x) {
     modes_x_.push_back(cosines(x, grid.columns_x, (grid.columns_x + 1) / 2));
   }

@@ -8,7 +8,7 @@
 namespace ionskin::electrochemistry {
 namespace {
 
-/// Value of mode `mode` in the cell `cell` of `cells`.
+/// Value of an orthonormal cosine mode in a cell of a row of `cells`.
 float cosine(std::size_t mode, std::size_t cell, std::size_t cells) {
   const auto count = static_cast<double>(cells);
   const double norm = std::sqrt((mode == 0 ? 1.0 : 2.0) / count);
@@ -22,7 +22,7 @@ double eigenvalue(double coupling, std::size_t mode, std::size_t cells) {
   return coupling * (2.0 - 2.0 * std::cos(angle));
 }
 
-/// Entry (i, j) holds mode first + stride j in cell i, row-major.
+/// Matrix of cosine modes, row-major: entry (i, j) holds mode first + stride j in cell i.
 std::vector<float> cosine_matrix(std::size_t size, std::size_t first, std::size_t stride,
                                  std::size_t cells) {
   std::vector<float> matrix;
@@ -56,7 +56,8 @@ CosineTransform::CosineTransform(const ScaledGrid& grid)
   }
 }
 
-/// Sums and differences of mirrored cells of rows along x.
+/// Computes sums and differences of cells that mirror each other about the middle of x, in every
+/// row.
 void CosineTransform::fold(std::span<const double> field, float* folded) const {
   const std::size_t n = columns_x_, even = even_, odd = n - even;
   for (std::size_t row = 0; row < field.size(); row += n) {

@@ -8,23 +8,25 @@
 
 namespace ionskin::electrochemistry {
 
-/// Orthonormal cosine transform along x and y, level by level, which diagonalises the lateral
-/// Laplacian with zero flux through the sides. Single precision inside. Products with small dense
-/// matrices, each half the size because cosines are even or odd about the middle of x, are faster
-/// here than fast transforms, whose lengths would have to suit the grid.
+/// Orthonormal cosine transform of fields along x and y, level by level, which diagonalises the
+/// lateral Laplacian with zero flux through the sides. It computes in single precision. Products
+/// with small dense matrices, halved because cosines are even or odd about the middle of x, are
+/// faster here than fast transforms, whose lengths would have to suit the grid.
 class CosineTransform {
 public:
   explicit CosineTransform(const ScaledGrid& grid);
 
-  /// Eigenvalue of the negative lateral Laplacian per mode, in the order of the modes (even ones of
-  /// x before odd ones).
+  /// Eigenvalues of the negative lateral Laplacian, in the order of the modes [y][x], even modes of
+  /// x before odd ones [1/lambda^2].
   const std::vector<double>& eigenvalues() const { return eigenvalues_; }
 
-  /// Some levels of a field to their modes. All spans hold as many whole levels.
+  /// Transforms some whole levels of a field to their modes. All spans have the same length.
+  /// @param modes receives the modes, [level][mode]
   void forward(std::span<const double> field, std::span<float> modes,
                std::span<float> scratch) const;
 
-  /// The inverse; changes `modes`.
+  /// Transforms modes of some whole levels back to the field; overwrites `modes`. All spans have
+  /// the same length.
   void backward(std::span<float> modes, std::span<double> field, std::span<float> scratch) const;
 
 private:
@@ -33,7 +35,7 @@ private:
 
   std::size_t columns_x_, columns_y_, even_; ///< number of even modes of x
   // Square matrices, row-major: entry (i, j) is the value of mode j in cell i.
-  std::vector<float> even_x_, odd_x_; ///< on the first half of the cells
+  std::vector<float> even_x_, odd_x_; ///< on the first half of the cells of x
   std::vector<float> modes_y_;
   std::vector<double> eigenvalues_;
 };

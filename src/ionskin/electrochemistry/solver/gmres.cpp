@@ -7,7 +7,7 @@
 namespace ionskin::electrochemistry {
 namespace {
 
-/// Rotation that annihilates the second entry of (a, b).
+/// Givens rotation that annihilates the second entry of (a, b).
 struct GivensRotation {
   double cosine = 1, sine = 0;
 
@@ -58,7 +58,8 @@ Gmres::Result Gmres::solve(const Operator& apply, std::span<const double> b, std
   }
 }
 
-/// One cycle from the normalised residual in basis vector 0; returns the norm of the new residual.
+/// Runs one cycle from the normalised residual in basis vector 0; returns the norm of the new
+/// residual.
 double Gmres::cycle(const Operator& apply, double residual_norm, double goal, int iteration_limit,
                     std::span<double> x, int& iterations) {
   std::array<std::array<double, basis_limit>, basis_limit + 1> hessenberg{};

@@ -9,21 +9,27 @@
 
 namespace ionskin::electrochemistry {
 
-/// Restarted GMRES (Saad and Schultz 1986, doi 10.1137/0907058) with zero initial guess. Written
-/// here because Eigen's needs a matrix type, allocates in every call and sums in an order of its
-/// own; this one keeps its basis, and its sums do not depend on the number of threads.
+/// Restarted GMRES solver (Saad and Schultz 1986, doi 10.1137/0907058) with zero initial guess. It
+/// is written here because Eigen's needs a matrix type, allocates in every call and sums in an
+/// order of its own; this one reuses its basis, and its sums do not depend on the number of
+/// threads.
 class Gmres {
 public:
+  /// Function that computes y = A x.
   using Operator = std::function<void(std::span<const double> x, std::span<double> y)>;
 
+  /// Outcome of a solution.
   struct Result {
     int iterations = 0;
-    double relative_residual = 1; ///< 2-norm, against that of the right-hand side
+    double relative_residual = 1; ///< 2-norm of the residual over that of b
   };
 
   Gmres(std::size_t unknowns, parallel::WorkerTeam& team);
 
-  /// Solves A x = b until the residual has fallen by `tolerance` or `iteration_limit` is reached.
+  /// Solves A x = b from x = 0 until the residual is `tolerance` times that of b or
+  /// `iteration_limit` iterations are done.
+  /// @param apply computes y = A x
+  /// @param x receives the solution
   Result solve(const Operator& apply, std::span<const double> b, std::span<double> x,
                double tolerance, int iteration_limit);
 
@@ -36,7 +42,7 @@ private:
 
   parallel::VectorOperations vectors_;
   std::size_t unknowns_;
-  std::vector<std::vector<double>> basis_; ///< grows to what is needed and is kept
+  std::vector<std::vector<double>> basis_; ///< grows to the length needed, and is reused
 };
 
 } // namespace ionskin::electrochemistry

@@ -11,17 +11,18 @@
 namespace ionskin::electrochemistry {
 namespace {
 
-/// Rounding of the scaled unknowns, which are of order 1.
+/// Rounding errors of the scaled unknowns, which are of order 1.
 constexpr double residual_rounding = 1e-14;
 constexpr double concentration_rounding = 1e-16;
 constexpr int newton_limit = 40;
 constexpr int krylov_limit = 80;
 constexpr double smallest_step_length = 1.0 / 256.0;
-/// Smallest share of a concentration, or of the room beside it, that one step leaves.
+/// Smallest share of a concentration, or of the free share of the sites beside it, that one step
+/// leaves.
 constexpr double depletion_limit = 0.1;
-/// Contraction of corrections by defects beyond which they give way to Newton's method.
+/// Contraction of simplified Newton's method beyond which Newton's method replaces it.
 constexpr double slowest_contraction = 0.2;
-/// Krylov iterations in one correction beyond which the preconditioner is renewed.
+/// Number of Krylov iterations in one correction beyond which the preconditioner is renewed.
 constexpr int patience = 12;
 
 constexpr std::size_t nodes_per_block = 1024;
@@ -68,8 +69,8 @@ double NewtonKrylov::allowed_error(const StageProblem& problem, const IonState& 
   for (std::size_t i = 0; i < problem.fixed_charge.size(); ++i) {
     scale = std::max(scale, std::abs(fixed_charge[i] - 1.0));
   }
-  // The potential of a conductor that floats turns charge that is rounded off into a voltage over
-  // the whole core.
+  // The potential of a floating conductor turns rounding errors of charge into a voltage across the
+  // whole core.
   const double rounding =
       residual_rounding + (problem.electrodes != nullptr || problem.sheets != nullptr
                                ? concentration_rounding * grid_.thickness * grid_.thickness
@@ -124,7 +125,7 @@ bool NewtonKrylov::solve(const StageProblem& problem, IonState& state) {
     if (!reduced && renew) {
       return false;
     }
-    // The preconditioner also measures the errors: an old one may mislead the search.
+    // The preconditioner also measures the errors: an outdated one may mislead the line search.
     renew = !reduced || iterations > patience;
   }
   return false;
@@ -151,7 +152,8 @@ bool NewtonKrylov::correct_by_defects(const StageProblem& problem, IonState& sta
   return true;
 }
 
-/// The defect is a nearly exact correction, already paid for.
+/// Applies the last defect as a correction, which is nearly exact and already computed, and
+/// restores the averages.
 void NewtonKrylov::finish(const StageProblem& problem, IonState& state) {
   step(state, 1.0, defect_, trial_);
   std::swap(state.values, trial_.values);
@@ -171,8 +173,8 @@ int NewtonKrylov::solve_linearised(const StageProblem& problem, const IonState& 
   return result.iterations;
 }
 
-/// Result out = state - length correction, except that no concentration, and no room beside it,
-/// falls below a tenth of itself.
+/// Computes out = state - length correction, except that no concentration, and no free share of the
+/// sites, falls below a tenth of itself.
 void NewtonKrylov::step(const IonState& state, double length, std::span<const double> correction,
                         IonState& out) {
   const std::size_t nodes = state.nodes();

@@ -9,17 +9,17 @@
 namespace ionskin::electrochemistry {
 namespace {
 
-/// Modes that one thread works on in a row; a multiple of the vector length.
+/// Number of modes that one thread works on in a row; a multiple of the vector length.
 constexpr std::size_t mode_granularity = 16;
 
-/// Modes whose systems are solved together, so that what the way down wrote is in the cache on the
-/// way up.
+/// Number of modes whose systems are solved together, so that the values that elimination wrote are
+/// in the cache during substitution.
 constexpr std::size_t modes_at_once = 128;
 
-/// Levels that are transformed together.
+/// Number of z levels that are transformed together.
 constexpr std::size_t tile_levels = 8;
 
-/// Flux between two levels of the averaged state, differentiated.
+/// Derivatives of the flux between two levels of the averaged state.
 struct FluxDerivatives {
   double by_lower = 0, by_upper = 0, by_difference = 0;
 };
@@ -30,7 +30,8 @@ FluxDerivatives flux_derivatives(double c_lower, double c_upper, double u, doubl
           (b.derivative * c_lower - (b.derivative + 1.0) * c_upper) / spacing};
 }
 
-/// Derivatives with the part of the difference that the concentrations make by the excess.
+/// Adds to the derivatives the contribution of the excess, which makes the difference depend on the
+/// concentrations.
 FluxDerivatives with_excess(const FluxDerivatives& flux, double slope_lower, double slope_upper) {
   return {flux.by_lower - flux.by_difference * slope_lower,
           flux.by_upper - flux.by_difference * slope_upper, flux.by_difference};
@@ -169,13 +170,15 @@ std::vector<float> FastDiagonalisation::wall_charge(std::size_t wall) const {
   return charge;
 }
 
-/// Block elimination from the bottom; the off-diagonal blocks are kept by whoever owns them.
+/// Eliminates blocks from the bottom up; only the call with `keep_off_diagonals` stores the blocks
+/// off the diagonal, which all modes share.
 void FastDiagonalisation::factorise_modes(double step, std::size_t begin, std::size_t end,
                                           bool keep_off_diagonals) {
   const std::size_t columns = grid_.columns(), top = grid_.levels - 1;
   std::vector<double> w00(end - begin, 0.0), w01(w00), w10(w00), w11(w00), metal(w00);
-  // Answer c, phi to a unit potential of the bottom wall, eliminated so far; the charge of the
-  // bottom wall as a sum of its own answer and of what c, phi of the level make.
+  // Response c, phi to a unit potential of the bottom wall, eliminated so far; the charge of the
+  // bottom wall is the sum of `own`, by that response, and of the products of `by_0` and `by_1`
+  // with c, phi of the level.
   const bool cuts_bottom = electrodes_ != nullptr && electrodes_->on_bottom();
   std::vector<double> answer_0, answer_1, own, by_0, by_1;
   FluxDerivatives below;
@@ -298,8 +301,8 @@ void FastDiagonalisation::factorise_modes(double step, std::size_t begin, std::s
   }
 }
 
-/// Calls `body(first node, number of nodes, scratch)` on tiles of levels that are the same for any
-/// number of threads, because the rounding of a matrix product depends on its size.
+/// Calls `body(first node, number of nodes, scratch)` on tiles of levels. The tiles do not depend
+/// on the number of threads, because the rounding of a matrix product depends on its size.
 template <class Body> void FastDiagonalisation::for_tiles(const Body& body) {
   const std::size_t columns = grid_.columns();
   team_.for_blocks(grid_.levels, tile_levels,
@@ -383,7 +386,7 @@ void FastDiagonalisation::backward(std::span<double> out) {
   });
 }
 
-// The sums and the transform commute: only two levels go back.
+// The sums over the levels and the transform commute, so that only two levels are transformed back.
 std::array<std::vector<double>, 2>
 FastDiagonalisation::damped_sums(std::span<const double> concentration,
                                  const std::array<std::vector<double>, 2>& weights) {

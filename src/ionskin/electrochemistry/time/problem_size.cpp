@@ -16,18 +16,19 @@
 namespace ionskin::electrochemistry {
 namespace {
 
-/// Vectors of all unknowns that the solver keeps: states, residuals and a usual Krylov basis.
+/// Number of vectors of all unknowns that the solver holds: states, residuals and a usual Krylov
+/// basis.
 constexpr double vectors_per_unknown = 30.0;
 
-/// Samples of a history: states of an onset of sliding and of a lift-off, and per slide.
+/// Numbers of samples of a history: at an onset of sliding, and at a lift-off.
 constexpr int onset_samples = 30, lift_off_samples = 20;
 constexpr double onset_share = 1e-3; // of a slide
 
-/// Samples behind an onset are this much farther apart each, until they are regular.
+/// Ratio of neighbouring intervals between samples after an onset, until they are regular.
 constexpr double sample_growth = 1.5;
 
-/// Instants of one cycle after which the steps restart: contact, loss of contact, and the begin of
-/// every other leg in contact.
+/// Instants of one cycle after which the steps restart [s]: contact, loss of contact, and the begin
+/// of every other leg in contact.
 std::vector<double> cycle_events(const std::vector<MotionLeg>& legs) {
   std::vector<double> events;
   for (const MotionLeg& leg : legs) {
@@ -49,7 +50,7 @@ void add_uniform(double begin, double duration, int count, std::vector<double>& 
   }
 }
 
-/// Instants of one cycle at which the contact timeline will probably have samples.
+/// Instants of one cycle at which the contact solution is likely to have samples [s].
 std::vector<double> cycle_samples(const std::vector<MotionLeg>& legs, const Numerics& numerics) {
   const auto slide_samples = static_cast<int>(history::samples_per_slide(numerics));
   std::vector<double> samples;
@@ -74,7 +75,8 @@ std::vector<double> cycle_samples(const std::vector<MotionLeg>& legs, const Nume
   return samples;
 }
 
-/// A history that has the grid's extents, the motion's events and probable samples, but no shear.
+/// Makes a history with the extents of the skin, the events of the motion and likely samples, but
+/// no shear.
 history::CoreHistory outline(const Case& input) {
   history::CoreHistory history;
   const Skin& skin = input.skin;
@@ -117,7 +119,8 @@ double crossing_time(const MotionLeg& leg, const Skin& skin, const ProblemSize& 
   return least;
 }
 
-/// The longest step that the tolerance is likely to allow between neighbouring landings [s].
+/// Longest step that the tolerance is likely to allow in each interval between neighbouring
+/// landings [s].
 std::vector<double> longest_steps(const Case& input, const StepLandings& landings,
                                   const StepRule& rule, const DerivedScales& scales,
                                   const ProblemSize& size) {
@@ -148,7 +151,7 @@ ProblemSize problem_size(const Case& input, const history::CoreHistory& history)
   ProblemSize size;
   size.columns_x = grid.x_edges.size() - 1;
   size.columns_y = grid.y_edges.size() - 1;
-  // Thin layers have a charge at each wall.
+  // The model of thin layers has only a charge at each wall.
   size.levels = input.electrochemistry.ion_model == IonModel::thin_layers ? 1 : grid.z_nodes.size();
   size.unknowns = 2 * size.columns_x * size.columns_y * size.levels;
   const StepLandings landings =

@@ -16,14 +16,14 @@ double column_area(const TransportGrid& grid) {
          static_cast<double>((grid.x_edges.size() - 1) * (grid.y_edges.size() - 1));
 }
 
-/// The member of `times` nearest to an instant.
+/// Finds the member of `times` nearest to an instant.
 double nearest(const std::vector<double>& times, double instant) {
   return *std::min_element(times.begin(), times.end(), [instant](double a, double b) {
     return std::abs(a - instant) < std::abs(b - instant);
   });
 }
 
-/// Mean voltage of the top face against the bottom one.
+/// Mean voltage of the top face against the bottom one [R T/(v F)].
 double mean_voltage(const IonState& state, std::size_t columns) {
   const auto bottom = state.potential().first(columns), top = state.potential().last(columns);
   const double first = bottom.front(), last = top.back();
@@ -34,7 +34,7 @@ double mean_voltage(const IonState& state, std::size_t columns) {
   return last - first + departures / static_cast<double>(columns);
 }
 
-/// The larger of the differences in potential along the metals.
+/// Largest difference in potential along the metal of either electrode [R T/(v F)].
 double metal_drop(const IonState& state, std::size_t columns) {
   const auto [low_b, high_b] = std::ranges::minmax(state.potential().first(columns));
   const auto [low_t, high_t] = std::ranges::minmax(state.potential().last(columns));
@@ -119,8 +119,8 @@ void SolutionRows::append(double time, const IonState& state, const Relaxation& 
 
 namespace {
 
-/// Adds the charge that has come to a taxel: to what its circuit passed while the taxel is read,
-/// else to the rest.
+/// Appends the charge that has come to a taxel: to `passed` while the taxel is read, else to
+/// `bypassed`.
 void add_passed(double charge, bool is_read, SegmentCharge& segment) {
   const double bypassed = segment.bypassed.empty() ? 0.0 : segment.bypassed.back();
   const double passed = segment.passed.empty() ? 0.0 : segment.passed.back();

@@ -9,15 +9,16 @@
 namespace ionskin::electrochemistry {
 namespace {
 
-/// Share of the length at which the error would be just allowed.
+/// Factor of safety on the length at which the error would be just allowed.
 constexpr double safety = 0.85;
 constexpr double smallest_shrinkage = 0.1;
 
-/// Late in a decay the error of a step is little more than rounding, and lengths in proportion to
-/// it would depend on the processor: factors on a length are rounded to so many per doubling.
+/// Number of values that factors on a length have per doubling. Late in a decay the error of a step
+/// is little more than rounding, and lengths in proportion to it would depend on the processor.
 constexpr double factors_per_doubling = 32;
 
-/// Factor on a step's length that brings its error of third order to what is allowed, rounded.
+/// Computes the factor on a step's length that brings its error, of third order, to the allowed
+/// error, rounded.
 double ideal_factor(double error) {
   if (std::isnan(error)) {
     return smallest_shrinkage;
@@ -26,10 +27,11 @@ double ideal_factor(double error) {
   return std::exp2(std::round(factors_per_doubling * std::log2(factor)) / factors_per_doubling);
 }
 
-/// Resolve what is left late in a decay, when it is small beside the charge that the error is
-/// measured against: a share of the time in which double layers charge, 0.15 s in the baseline, or
-/// of what passed since the decay began, whichever is longer. So slower decays are resolved, too,
-/// those of water or through a load, and a fast one does not cost steps when it is over.
+/// Limits on the longest step, which resolve the end of a decay, where the charge left is small
+/// beside the charge that the error is measured against: a share of the time in which double layers
+/// charge, 0.15 s in the baseline, or of the time since the decay began, whichever is longer.
+/// Slower decays, by water or through a load, are thus resolved, too, and a fast decay does not
+/// cost steps when it is over.
 constexpr double longest_share = 0.15 / 0.8493165557971034, late_share = 0.05;
 
 // Constants of the estimates of steps, see relaxation_step and crossing_step.
@@ -39,11 +41,11 @@ constexpr double error_constant = 0.0404, kink_constant = 0.055;
 /// takes.
 constexpr double most_steps = 1e12;
 
-// Shares of the errors of single columns where they are to be resolved, and elsewhere.
+// Weights of the errors of single columns where they are to be resolved, and elsewhere.
 constexpr double resolved_share = 0.01, overall_share = 0.001;
 
-/// Growth of the steps behind an event, where the first currents are small beside the charge that
-/// the error is measured against: it, not the error, resolves them.
+/// Largest ratio of a step to the one before it. After an event the first currents are small beside
+/// the charge that the error is measured against, so that this ratio, not the error, resolves them.
 double growth(Preset preset) {
   switch (preset) {
   case Preset::coarse:
@@ -109,15 +111,15 @@ bool StepControl::has_landed(const std::vector<double>& ends) const {
 double StepControl::step_end(double time, double wanted) const {
   const std::size_t next = landings_.behind(time);
   const double landing = landings_.time[next], rest = landing - time;
-  // One step from landing to landing, whose error is likely to be just allowed, beats two short
-  // ones.
+  // One step from landing to landing, whose error is likely to be just allowed, is cheaper than two
+  // short steps.
   const double share = landings_.time[next - 1] == time ? 0.9 : 0.999;
   const double most = longest(time);
   if (std::min(wanted / share, most) >= rest) {
     return landing;
   }
   const double length = std::min(wanted, most);
-  // Two equal steps rather than a long one and a sliver.
+  // Two equal steps are better than a long and a tiny one.
   return time + (2.0 * length > rest ? 0.5 * rest : length);
 }
 
@@ -128,7 +130,7 @@ double StepControl::after_success(double begin, double end, double wanted, doubl
   }
   const double length = end - begin;
   const double next = length * std::clamp(ideal_factor(error), smallest_shrinkage, rule_.growth);
-  // A step cut short by a landing says little against a longer one.
+  // A step cut short by a landing says little about a longer one.
   return next >= length ? std::max(next, std::min(wanted, longest(begin))) : next;
 }
 

@@ -11,62 +11,68 @@
 
 namespace ionskin::electrochemistry {
 
-/// Rule to which the length of time steps is held.
+/// Rule for the length of time steps: tolerance and limits.
 struct StepRule {
-  double tolerance = 0;    ///< error of the charge that one step may add, over the charge so far
-  double first = 0;        ///< first trial after an event [s]
-  double longest = 0;      ///< while less than `longest / late_share` has passed since an event [s]
-  double late_share = 0;   ///< longest step over the time since the last event, from then on [1]
-  double shortest = 0;     ///< below it the solver gives up [s]
-  double growth = 0;       ///< of a step over the one before it, at most
-  double column_share = 0; ///< of the errors of single columns, see `ChargeNorm::of_change`
+  /// Error of the charge allowed in one step, over the largest charge so far [1].
+  double tolerance = 0;
+  double first = 0; ///< length of the first step tried after an event [s]
+  /// Longest step, until `late_share` of the time since the event is longer [s].
+  double longest = 0;
+  double late_share = 0; ///< longest step over the time since the last event, from then on [1]
+  double shortest = 0;   ///< length of a step below which the solver gives up [s]
+  double growth = 0;     ///< largest ratio of a step to the one before it [1]
+  /// Weight of the errors of single columns, see `ChargeNorm::of_change` [1].
+  double column_share = 0;
 };
 
-/// The rule for a case: the tolerance is the user's or the preset's; after events a first step of
-/// 1e-5 s is tried, a shorter one where the core charges faster than Nafion, and steps reach up to
-/// 0.177 of the time in which the double layers charge, or to 0.05 of the time since the last
+/// Makes the rule for a case. The tolerance is the user's or the preset's. After an event a first
+/// step of 1e-5 s is tried, or of a thousandth of the charging time of the double layers where that
+/// is shorter. Steps reach up to 0.177 of that charging time, or 0.05 of the time since the last
 /// event where that is more. `time_refinement` divides steps, so it divides the tolerance by its
-/// third power, that of the error of a step. Taxels ask for the charges of single columns;
-/// whole electrodes do with a tenth of their share in the error.
+/// third power, as the error of a step is of third order. Taxels need the charges of single
+/// columns; with whole electrodes the weight of single columns is a tenth of that.
 StepRule step_rule(const Numerics& numerics, const Readout& readout, const DerivedScales& scales);
 
-/// Time tolerance of a preset.
+/// Tolerance of a preset for the error of the charge in one time step [1].
 double preset_tolerance(Preset preset);
 
-/// Chooses the ends of the steps: on every landing, as long as the error allows in between, small
-/// after events (elementary controller with limits: Hairer, Norsett and Wanner, Solving Ordinary
-/// Differential Equations I, 1993, section II.4).
+/// Control of the time steps: chooses where steps end, namely on every landing, as far apart as the
+/// error allows in between, and close together after events (elementary controller with limits:
+/// Hairer, Norsett and Wanner, Solving Ordinary Differential Equations I, 1993, section II.4).
 class StepControl {
 public:
   StepControl(StepLandings landings, const StepRule& rule);
 
   const StepLandings& landings() const { return landings_; }
 
-  /// First and last instant [s].
+  /// First and last instant of the run [s].
   std::pair<double, double> span() const { return {landings_.time.front(), landings_.time.back()}; }
-  /// True if step ends so far are those of a run with these landings [s].
+  /// True if the instants at which the steps of a run have ended so far [s] belong to a run with
+  /// these landings.
   bool has_landed(const std::vector<double>& ends) const;
 
-  /// The step to start a run with [s].
+  /// Length of the first step of a run to try [s].
   double first_step() const { return rule_.first; }
   bool finished(double time) const { return time >= landings_.time.back(); }
-  /// End of the step from `time` whose length should be `wanted`: exactly on a landing when that is
-  /// near, and never so that a sliver remains [s].
+  /// Chooses the end of the step from `time` whose length should be `wanted` [s]: exactly on the
+  /// next landing when that is near, else so that no tiny step remains before the landing.
   double step_end(double time, double wanted) const;
-  /// Length to try after a finished step [s].
-  /// @param wanted length that `step_end` was asked for
-  /// @param error of the step over the allowed error
+  /// Computes the length to try after an accepted step [s].
+  /// @param wanted length for which `step_end` was asked [s]
+  /// @param error error of the step over the allowed error [1]
   double after_success(double begin, double end, double wanted, double error) const;
-  /// Length to try instead of a step whose error was too large [s].
+  /// Computes the length to try instead of a step whose error was too large [s].
+  /// @param error error of the step over the allowed error [1]
   double after_rejection(double begin, double end, double error) const;
-  /// Length to try instead of a step without a solution [s].
+  /// Computes the length to try instead of a step for which the solver found no solution [s].
   double after_failure(double begin, double end) const { return 0.25 * (end - begin); }
 
   double tolerance() const { return rule_.tolerance; }
-  /// Share of the errors of single columns in the error of a step from `begin`: larger on the way
-  /// to a landing where the fields are kept.
+  /// Weight of the errors of single columns in the error of a step from `begin` [s]: larger on the
+  /// way to a landing at which fields are stored.
   double column_share(double begin) const;
-  bool too_short(double wanted) const { return !(wanted >= rule_.shortest); } ///< or not a number
+  /// True if a step is too short to go on, or not a number.
+  bool too_short(double wanted) const { return !(wanted >= rule_.shortest); }
 
 private:
   /// Longest step from an instant [s].
@@ -74,25 +80,25 @@ private:
 
   StepLandings landings_;
   StepRule rule_;
-  std::vector<double> event_; ///< at or before each landing; the first landing before any [s]
+  std::vector<double> event_; ///< event at or before each landing, else the first landing [s]
 };
 
-/// Length that the tolerance is likely to allow while charge relaxes with the slow time T [s]: the
-/// error of a step h of TR-BDF2 is 0.0404 h^3 times the third derivative of the charge (Bank et al.
-/// 1985), which is the charge over T^3.
+/// Estimates the length of a step that the tolerance allows while charge relaxes with the slow time
+/// T (`slow_time`) [s]: the error of a step h of TR-BDF2 is 0.0404 h^3 times the third derivative
+/// of the charge (Bank et al. 1985), which is the charge over T^3.
 double relaxation_step(const StepRule& rule, const DerivedScales& scales);
 
-/// Length of a step that the tolerance is likely to allow while the slider's edges cross the
-/// columns of the grid [s]. At either end of a crossing the fixed charge of a column has a kink,
+/// Estimates the length of a step that the tolerance allows while the slider's edges cross the
+/// columns of the grid [s]. At both ends of a crossing the fixed charge of a column has a kink,
 /// whose error is of second order in the step over the time of a crossing t: h = 0.85 t
-/// sqrt(tolerance/(0.055 share)) with the share of columns. The constant is measured on the
-/// baseline, at tolerances from 1.5e-6 to 1e-4 and shares of 0.001 and 0.01, within a third.
-/// @param crossing_time column width over speed [s]
+/// sqrt(tolerance/(0.055 share)) with the weight `column_share`. The constant is measured on the
+/// baseline, at tolerances from 1.5e-6 to 1e-4 and weights of 0.001 and 0.01, within a third.
+/// @param crossing_time column width over the slider's speed [s]
 double crossing_step(const StepRule& rule, double crossing_time);
 
-/// Number of steps a run is likely to take, for estimates before it: landings, the growth of the
-/// steps behind events, and what the tolerance allows.
-/// @param longest step per interval between neighbouring landings [s]
+/// Estimates the number of time steps of a run from its landings, the growth of steps after events,
+/// and the lengths that the tolerance allows.
+/// @param longest longest step in each interval between neighbouring landings [s]
 std::size_t estimate_steps(const StepLandings& landings, const StepRule& rule,
                            const std::vector<double>& longest);
 

@@ -7,7 +7,7 @@
 namespace ionskin::electrochemistry {
 namespace {
 
-/// Instants closer than this are one.
+/// Difference [s] within which two instants count as one.
 double same_instant(const history::CoreHistory& history) {
   return 1e-12 * history.duration();
 }
@@ -34,7 +34,7 @@ StepLandings make_step_landings(const history::CoreHistory& history,
   for (const double instant : field_times) {
     const double inside = std::clamp(instant, history.time.front(), history.time.back());
     fields.push_back(inside);
-    // An instant next to a sample is that sample.
+    // An instant next to a sample counts as that sample.
     if (!is_among(history.time, inside, resolution)) {
       landings.time.push_back(inside);
     }

@@ -7,20 +7,21 @@
 
 namespace ionskin::electrochemistry {
 
-/// Instants on which time steps must end: the kinks of the strain history, that is its samples and
-/// events, and those at which the fields are kept.
+/// Landings: instants on which time steps must end. These are the kinks of the strain history, that
+/// is its samples and events, switches of a scan, and the instants at which fields are stored.
 struct StepLandings {
-  std::vector<double> time;   ///< [s], ascending, first to last sample of the history
-  std::vector<bool> is_event; ///< the response has a fresh fast transient after it
-  std::vector<bool> is_field; ///< the fields are kept there
+  std::vector<double> time;   ///< landings [s], ascending, first to last sample of the history
+  std::vector<bool> is_event; ///< true if the response has a fresh fast transient after it
+  std::vector<bool> is_field; ///< true if the fields are stored there
 
-  /// Index of the first landing behind an instant.
+  /// Finds the index of the first landing after an instant [s].
   std::size_t behind(double instant) const;
 };
 
-/// Landings of a history, without duplicates.
-/// @param field_times where the fields are kept [s]; instants outside the history move to its ends
-/// @param switches instants within the history at which circuits change [s], which are events
+/// Makes the landings of a strain history, without duplicates.
+/// @param field_times instants at which fields are stored [s]; those outside the history move to
+///   its ends
+/// @param switches instants within the history at which circuits change [s]; they count as events
 StepLandings make_step_landings(const history::CoreHistory& history,
                                 const std::vector<double>& field_times,
                                 const std::vector<double>& switches = {});

@@ -19,14 +19,15 @@ namespace {
 constexpr double diagonal = 1.0 - 0.5 * std::numbers::sqrt2; // d
 constexpr double stage_fraction = 2.0 * diagonal;
 constexpr double weight = 0.25 * std::numbers::sqrt2; // w; the formula of order 2 is (w, w, d)
-/// (w, w, d) minus the embedded formula ((1 - w)/3, (3 w + 1)/3, d/3) of order 3.
+/// Weights of the error estimate: (w, w, d) minus the embedded formula ((1 - w)/3, (3 w + 1)/3,
+/// d/3) of order 3.
 constexpr double error_of_begin = (4.0 * weight - 1.0) / 3.0, error_of_stage = -1.0 / 3.0,
                  error_of_end = 2.0 * diagonal / 3.0;
 
-/// Rounding of a concentration, in the charge of a core of many Debye lengths.
+/// Rounding error of a concentration, which counts in the charge of a core of many Debye lengths.
 constexpr double rounding = 2e-16;
 
-/// Share of a concentration, and of the room beside it, that a guess must leave.
+/// Share of a concentration, and of the free share of the sites beside it, that a guess must leave.
 constexpr double depletion_limit = 0.3;
 
 constexpr std::size_t nodes_per_block = 1024;
@@ -53,7 +54,7 @@ TimeIntegrator::TimeIntegrator(const ScaledGrid& grid, const DerivedScales& scal
 
 namespace {
 
-/// amounts + factor * rates
+/// Computes amounts + factor * rates.
 std::vector<double> sum(std::vector<double> amounts, double factor,
                         const std::vector<double>& rates) {
   for (std::size_t i = 0; i < amounts.size(); ++i) {
@@ -129,7 +130,8 @@ void TimeIntegrator::note_charge(TransportState& state) {
       std::max(state.charge_scale, charge_norm_.of_state(state.ions, fixed_charge_.ratio()));
 }
 
-/// Evaluates what is given at an instant and adds the ions released until then to `start_`.
+/// Makes the problem of the stage at an instant [s]: evaluates charges and potentials given there,
+/// and adds the ions released until then to `start_`.
 StageProblem TimeIntegrator::problem_at(double time) {
   fixed_charge_.evaluate(time);
   double ion_amount = resting_amount_;
@@ -285,7 +287,7 @@ std::optional<double> TimeIntegrator::try_step(double begin, double end,
   return std::isfinite(error) ? std::optional(error) : std::nullopt;
 }
 
-/// Guesses the stage from the begin along its rate.
+/// Guesses the solution of the middle stage from the begin of the step along its rate.
 void TimeIntegrator::guess_stage(const TransportState& state) {
   const std::size_t nodes = grid_.nodes();
   const double ahead = stage_fraction * length_;
@@ -298,8 +300,9 @@ void TimeIntegrator::guess_stage(const TransportState& state) {
   restore_conductors(stage_);
 }
 
-/// Concentrations on the parabola through begin and stage with the rate at the begin; potentials,
-/// whose rate jumps at kinks of the shear, on the line.
+/// Guesses the solution at the end of the step: concentrations on the parabola through begin and
+/// middle stage with the rate at the begin; potentials, whose rate jumps at kinks of the shear, on
+/// the straight line.
 void TimeIntegrator::guess_end(const TransportState& state) {
   const std::size_t nodes = grid_.nodes();
   constexpr double ratio = 1.0 / stage_fraction;
@@ -370,7 +373,7 @@ double TimeIntegrator::charge_error(const TransportState& state, double column_s
 
 void TimeIntegrator::accept(TransportState& state) {
   const std::size_t nodes = grid_.nodes();
-  // Slope of the parabola through begin, stage and end.
+  // Slope at the end of the parabola through begin, middle stage and end.
   constexpr double rest = 1.0 - stage_fraction;
   for_nodes([&](std::size_t i, double) {
     const std::size_t p = nodes + i;
@@ -403,8 +406,8 @@ std::vector<ElectrodeRow> TimeIntegrator::electrode_rows(const TransportState& s
   of_walls.insert(of_walls.end(), walls.top.begin(), walls.top.end());
   const std::vector<double> on_metal = electrodes_->electrodes().sums(of_walls),
                             potential = potentials(state.ions), net = net_charges();
-  // The charge that the circuits conserve is known to rounding, the charges on the walls as Newton
-  // left them.
+  // The circuits know their conserved charge to rounding, the charges on the walls are as accurate
+  // as Newton's method left them.
   double left = 0.0, held_area = 0.0;
   for (std::size_t e = 0; e < potential.size(); ++e) {
     const bool held = electrodes_->holds(e);
@@ -418,7 +421,7 @@ std::vector<ElectrodeRow> TimeIntegrator::electrode_rows(const TransportState& s
   if (!electrodes_->electrodes().on_bottom()) {
     return rows;
   }
-  // The ground passes the rest: both walls together hold no charge but the net one.
+  // The ground passes the rest: both walls together hold no charge but the net charge.
   for (std::size_t e = 0; e < rows.size(); ++e) {
     const double share = electrodes_->holds(e) ? left * area(e) / held_area : 0.0;
     rows[e].charge += share;
@@ -445,7 +448,8 @@ Relaxation TimeIntegrator::relaxation(const TransportState& state) const {
   if (!admittance_) {
     return of_ions;
   }
-  // The conserved charge is smooth; the capacitor follows the voltage, and with it the shear.
+  // The conserved charge is smooth in time; the capacitor's charge follows the voltage, which
+  // follows the shear.
   const double share =
       admittance_->capacitance / (1.0 / grid_.thickness + admittance_->capacitance);
   const double rate = charge_rate(state.ions);

@@ -16,96 +16,105 @@
 
 namespace ionskin::electrochemistry {
 
-/// A conductor of a cut face at an instant, scaled: its potential, the charge on its metal, and
-/// the part of it that its circuit has passed or holds.
+/// State of a conductor of a cut face at an instant: its potential [R T/(v F)], the charge on its
+/// metal, and the part of that which its circuit has passed or holds [F c0 lambda times the area of
+/// a column].
 struct ElectrodeRow {
   double potential = 0, charge = 0, passed = 0;
 };
 
-/// Part of the charge that changes smoothly at kinks of the shear, see IonSolution, and its rate;
-/// per area and scaled.
+/// Part of (Q_top - Q_bottom)/2 that changes smoothly at kinks of the shear, see
+/// `IonSolution::relaxation_charge`, and its rate; per area, scaled.
 struct Relaxation {
   double charge = 0, rate = 0;
 };
 
-/// TR-BDF2 as a diagonally implicit Runge-Kutta method with an explicit first stage: of order 2,
-/// L-stable and stiffly accurate, so that double layers faster than a step stay quiet and Poisson's
-/// equation holds at the end of every step; both implicit stages have the same implicit part of the
-/// step, and the embedded formula of order 3 estimates the error (Bank et al. 1985, IEEE
-/// Transactions on Electron Devices 32, 1992; Hosea and Shampine 1996, Applied Numerical
-/// Mathematics 20, 21). Ions that the coupling law releases enter exactly: the method advances
-/// concentration minus released ions.
+/// Time integrator of Study 2: TR-BDF2 as a diagonally implicit Runge-Kutta method with an explicit
+/// first stage. It is of order 2, L-stable and stiffly accurate, so that double layers faster than
+/// a step do not oscillate and Poisson's equation holds at the end of every step. Both implicit
+/// stages have the same implicit part of the step, and the embedded formula of order 3 estimates
+/// the error (Bank et al. 1985, IEEE Transactions on Electron Devices 32, 1992; Hosea and Shampine
+/// 1996, Applied Numerical Mathematics 20, 21). Ions that the coupling law releases enter exactly:
+/// the method advances concentration minus released ions.
 class TimeIntegrator {
 public:
-  /// @param admittance of the circuit between the electrodes; without it the potentials are given
-  /// @param electrodes of the faces where they are cut, instead; those of the solver
-  /// @param sheets electrodes with sheet resistances and their circuit, instead; those of the
-  /// solver
+  /// @param grid must outlive this, as must `fixed_charge`, `solver` and `team`
+  /// @param potentials given potentials of the electrodes, or of their leads
+  /// @param admittance scaled circuit between the electrodes; nothing where their potentials are
+  ///   given
+  /// @param electrodes conductors of cut faces, instead of `admittance`; as given to the solver;
+  ///   nullptr for none
+  /// @param sheets electrodes with sheet resistances and their circuit, instead of `admittance`; as
+  ///   given to the solver; nullptr for none
   TimeIntegrator(const ScaledGrid& grid, const DerivedScales& scales, FixedCharge& fixed_charge,
                  ElectrodePotentials potentials, NewtonKrylov& solver, parallel::WorkerTeam& team,
                  std::optional<ScaledAdmittance> admittance = std::nullopt,
                  const WallElectrodes* electrodes = nullptr,
                  const SheetElectrodes* sheets = nullptr);
 
-  /// The response at the first instant: ions where they were, phi from Poisson's equation.
-  /// Throws SolverError.
+  /// Computes the state at the first instant [s]: ions where they were at rest, phi from Poisson's
+  /// equation. Throws SolverError when that has no solution.
   void initialise(double time, TransportState& state);
-  /// Takes up a state that a run has left at an instant.
+  /// Resumes from a state that a run has left at an instant [s].
   void take_up(double time, const TransportState& state);
 
-  /// Joins the conductors of cut faces to these circuits from now on, before the first instant
-  /// or where a run is taken up.
+  /// Connects the conductors of cut faces to circuits, one entry each, from now on: before the
+  /// first instant or where a run is resumed. An empty entry holds a conductor at the ground.
   void connect(std::vector<std::optional<ScaledAdmittance>> circuits);
-  /// Does so at an instant of a run, where the state stands: conductors that come to the ground
-  /// give up their voltage, capacitors of new circuits are uncharged. Throws SolverError.
+  /// Changes the circuits of the conductors at an instant of a run [s], at which `state` is:
+  /// conductors that come to the ground give up their voltage, capacitors of new circuits are
+  /// uncharged. Throws SolverError when Poisson's equation then has no solution.
   void reconnect(double time, std::vector<std::optional<ScaledAdmittance>> circuits,
                  TransportState& state);
 
-  /// Tries the step from `begin`, where the state stands, to `end` [s], and leaves the fixed charge
-  /// at `end`.
-  /// @param column_share of the errors of single columns, see `ChargeNorm::of_change`
-  /// @returns the estimated error of the charge, over the largest charge so far; nothing where
+  /// Tries the time step from `begin`, the instant of `state`, to `end` [s], and leaves
+  /// `fixed_charge` evaluated at `end`.
+  /// @param column_share weight of the errors of single columns, see `ChargeNorm::of_change` [1]
+  /// @returns the estimated error of the charge, over the largest charge so far [1]; nothing where
   ///   Newton's method found no solution
   std::optional<double> try_step(double begin, double end, const TransportState& state,
                                  double column_share);
-  /// Makes the end of the step tried last the new state.
+  /// Accepts the end of the step that was tried last as the new state.
   void accept(TransportState& state);
 
-  /// Rows of the conductors of cut faces, in the state that was accepted or taken up last;
-  /// empty for one conductor on each face.
+  /// Rows of the conductors of cut faces, in the state that was accepted or resumed last; empty
+  /// where each face has one potential.
   std::vector<ElectrodeRow> electrode_rows(const TransportState& state) const;
 
-  /// Voltage between the leads of metal with sheet resistances; nothing without.
+  /// Voltage between the leads of metal with sheet resistances [R T/(v F)]; nothing without.
   std::optional<double> lead_voltage(const TransportState& state) const;
 
-  /// Relaxation of the state that was accepted or taken up last.
+  /// Smooth part of the charge in the state that was accepted or resumed last; 0 for conductors of
+  /// cut faces.
   Relaxation relaxation(const TransportState& state) const;
 
 private:
   void note_charge(TransportState& state);
   double voltage(const IonState& ions) const;
   std::vector<double> potentials(const IonState& ions) const;
-  /// Half of the net charge below every column, and below every conductor, that the law has made
-  /// until the instant evaluated last.
+  /// Half of the net charge per area below every column, and on every conductor, that the law has
+  /// made until the instant evaluated last.
   std::vector<double> net_of_columns() const;
   std::vector<double> net_charges() const;
   /// Area of a conductor, in columns.
   double area(std::size_t conductor) const;
-  /// The largest of some charges of conductors, per area.
+  /// Largest magnitude of charges of the conductors, per area.
   double largest_of_conductors(const std::vector<double>& charges) const;
-  /// Rate of the conserved charge: that which the circuit's resistor passes.
+  /// Rate of the conserved charge q + C U: the current through the circuit's resistor.
   double charge_rate(const IonState& ions) const;
-  /// Keeps the concentration that a step starts from, without the released ions.
+  /// Stores the concentration without released ions, and the conserved charge, from which a step
+  /// starts.
   void settle(const IonState& ions);
   /// Calls `body(node, released)` for every node, with the ions released there so far.
   template <class Body> void for_nodes(const Body& body) const;
   StageProblem problem_at(double time);
   void guess_stage(const TransportState& state);
   void guess_end(const TransportState& state);
-  /// Keeps the rounding errors of the potentials of conductors, at the ground or of one column
+  /// Prevents rounding errors in the potentials of conductors, at the ground or of one column
   /// beside another, from growing step by step.
   void restore_conductors(IonState& guess) const;
-  /// Takes `safe` instead of a guess that would deplete a concentration or the room beside it.
+  /// Replaces a guess by `safe` where it would deplete a concentration or the free share of the
+  /// sites beside it.
   void keep_in_bounds(const IonState& safe, IonState& guess) const;
   double charge_error(const TransportState& state, double column_share,
                       double passed_by_conductors);
@@ -119,15 +128,16 @@ private:
   std::optional<ScaledAdmittance> admittance_;
   TerminalVoltage terminals_;
   ChargeNorm charge_norm_;
-  double resting_amount_;       ///< ions in the core at rest, scaled
-  double length_ = 0;           ///< of the step at hand [relaxation times]
+  double resting_amount_;       ///< amount of ions in the core at rest, scaled
+  double length_ = 0;           ///< length of the current step [relaxation times]
   double implicit_ = 0;         ///< implicit part of the step
   std::vector<double> settled_; ///< concentration minus released ions where the step begins
   std::vector<double> start_;   ///< concentration a stage starts from
-  /// Half the difference of the electrodes' charges and the charge on the circuit's capacitor,
-  /// which are conserved together, where the step begins.
+  /// Half of the difference of the electrodes' charges, plus the charge on the circuit's capacitor,
+  /// where the step begins; both are conserved together.
   double settled_charge_ = 0;
-  double start_charge_ = 0;                    ///< the same that a stage starts from
+  /// Conserved charge from which a stage starts, as `settled_charge_`.
+  double start_charge_ = 0;
   std::optional<ElectrodeCharges> electrodes_; ///< of cut faces
   ElectrodeStage electrode_stage_;
   std::optional<SheetCharges> sheets_; ///< of metal with sheet resistances
