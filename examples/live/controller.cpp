@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 
-// A controller in C++: a finger strokes the skin at 1 kHz under a force. Before each step it asks what the current would
-// be if the finger pressed a tenth harder, and goes back. Prints time, normal force, current, the flags, and that other
-// current, of every tenth step.
+// A controller in C++: a finger strokes the skin at 1 kHz under a force. Before each step it asks
+// what the current would be if the finger pressed a tenth harder, and goes back. Prints time,
+// normal force, current, the flags, and that other current, of every tenth step.
 
 #include <ionskin_live.hpp>
 
@@ -24,12 +24,14 @@ int main(int argc, char** argv) {
     for (int i = 0; i <= 1000; ++i) {
       const double time = 1e-3 * i, x = low_x + (high_x - low_x) * time / 2;
       skin.save(state.data());
-      const double harder = skin.step(time, {x, low_y}, ionskin_live::Force{0.55 * heaviest})[current];
+      const double harder =
+          skin.step(time, {x, low_y}, ionskin_live::Force{0.55 * heaviest})[current];
       skin.restore(state.data(), state.size());
       const ionskin_live::Signals& signals =
           skin.step(time, {x, low_y}, ionskin_live::Force{heaviest / 2});
       if (i % 10 == 0) {
-        std::printf("%g,%g,%g,%u,%g\n", time, signals[force], signals[current], signals.flags, harder);
+        std::printf("%g,%g,%g,%u,%g\n", time, signals[force], signals[current], signals.flags,
+                    harder);
       }
     }
   } catch (const std::exception& error) {

@@ -125,8 +125,8 @@ void ionskin_live_range(const ionskin_live_skin* skin, double range[7]);
 void ionskin_live_pose_range(const ionskin_live_skin* skin, double range[3]);
 /* Writes the length and width of the skin [m]. */
 void ionskin_live_size(const ionskin_live_skin* skin, double size[2]);
-/* Writes the lowest x, y, highest x, y of the contact cells, from the slider's centre [m]. The slider
-   touches nothing beyond them. */
+/* Writes the lowest x, y, highest x, y of the contact cells, from the slider's centre [m]. The
+   slider touches nothing beyond them. */
 void ionskin_live_footprint(const ionskin_live_skin* skin, double box[4]);
 /* Thickness of the core [m]. */
 double ionskin_live_core_thickness(const ionskin_live_skin* skin);

@@ -130,9 +130,9 @@ Matrix of_own_images(const Matrix& fit, const ChannelBasis& basis, std::size_t n
   return sum / images;
 }
 
-/// Combinations of the levels that count alike: what drives the charges, and, of the channel that tells
-/// signals of the core, a little of these. Water is driven by how its pressure differs through the
-/// thickness, a hundredth of it.
+/// Combinations of the levels that count alike: what drives the charges, and, of the channel that
+/// tells signals of the core, a little of these. Water is driven by how its pressure differs
+/// through the thickness, a hundredth of it.
 Matrix level_measure(const ChannelMap& map, const SkinData& data, bool tells, bool drives) {
   const auto levels = static_cast<Eigen::Index>(map.mean.size());
   const auto add = [](Matrix& form, const Matrix& rows, double share) {
