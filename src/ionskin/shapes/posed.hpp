@@ -17,6 +17,7 @@ std::array<double, 2> posed_size(const Shape& body, const Plan& plan, const Pose
 /// the skin. The body's own plan is stored; its height map must outlive this object.
 class Posed final : public Shape {
 public:
+  /// Puts a body into a pose.
   /// @param body the shape in the upright pose
   /// @param plan of the body, along its own axes
   /// @param changing angles that change along the path; symmetries and flat parts are reported only
@@ -36,7 +37,7 @@ public:
 private:
   /// True if the body is not tilted now or later.
   bool even() const;
-  /// Axis of the body along an axis of the skin; only where they are parallel.
+  /// Index of the body's axis (0 is x, 1 is y) that is parallel to an axis of the skin.
   std::size_t own_direction(std::size_t direction) const;
 
   std::unique_ptr<const Shape> body_;
