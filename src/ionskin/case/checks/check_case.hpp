@@ -5,10 +5,10 @@
 
 namespace ionskin {
 
-/// Checks the keys of a case against one another: layers, laws,
-/// readout, slider and its path, preload, instants within the run, existence of the strain file.
-/// Each value by itself must already be in range. Throws UserError with all mistakes, each with the
-/// positions of the keys involved and a remedy.
+/// Checks the keys of a case against one another: layers, laws, readout, slider and its path,
+/// preload, instants within the run; and that a strain file exists. Each value by itself must
+/// already be in range. Throws UserError with all mistakes, each with the positions of the keys
+/// involved and a remedy.
 void check_case(const CaseDocument& document);
 
 } // namespace ionskin

@@ -24,9 +24,10 @@ inline constexpr Range extent{1e-6, 10.0, true, true}; ///< lengths of skin and 
 inline constexpr double steepest_tilt = 5 * std::numbers::pi / 180 * (1 + 1e-12);
 /// Range of roll and pitch [rad].
 inline constexpr Range tilt_range{-steepest_tilt, steepest_tilt, true, true};
-inline constexpr Range turn_range{-1e3, 1e3, true, true};          ///< yaw [rad]
-inline constexpr Range film{1e-9, 0.1, true, true};                ///< thickness of a layer [m]
-inline constexpr Range place_on_skin{0.0, 10.0, true, true};       ///< x or y on the top face [m]
+inline constexpr Range turn_range{-1e3, 1e3, true, true}; ///< yaw [rad]
+inline constexpr Range film{1e-9, 0.1, true, true};       ///< thickness of a layer [m]
+inline constexpr Range place_on_skin{0.0, 10.0, true,
+                                     true}; ///< x or y on the top face, or a gap there [m]
 inline constexpr Range duration_range{1e-6, 1e7, true, true};      ///< [s]
 inline constexpr Range concentration_range{1e-3, 1e6, true, true}; ///< [mol/m3]
 
