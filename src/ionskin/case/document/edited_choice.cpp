@@ -165,8 +165,8 @@ bool may_choose(const std::string& edit) {
   return row == nullptr || row->type == ValueType::choice;
 }
 
-/// True if a record is a choice that an edit set, except for those in [numerics], which decide on
-/// no other key.
+/// True if a record is a choice that an edit set, except for those in [numerics], which say only
+/// how finely the case is solved.
 bool is_edited_choice(const ValueRecord& record) {
   const SchemaRow* row = find_row(key_pattern(record.key));
   return record.origin == ValueOrigin::set_edit && row != nullptr &&

@@ -123,8 +123,7 @@ TomlText with_slider(const TomlText& values, std::size_t slider) {
     const auto shared = root.as_table().find(section);
     if (shared != root.as_table().end() && shared->second.is_table() && own->is_table()) {
       auto& table = shared->second.as_table();
-      // If the entry has its own kind of motion, the other keys of the case need not suit that
-      // kind.
+      // Keys of the case would have no effect on another kind of motion: only `cycles` is kept.
       if (own->as_table().contains("kind")) {
         std::erase_if(table, [](const auto& shared_key) { return shared_key.first != "cycles"; });
       }

@@ -135,8 +135,8 @@ void TomlWalk::read(const SchemaRow& row, const toml::value& value, const std::s
                      place_of(value), read});
 }
 
-// Name, for messages, of a key `other`. If it is in the same table as `key`, it has the same table
-// name.
+// Name of the key `other` in messages. A key of the same table as `key` gets the table's name in
+// the text of the user.
 std::string TomlWalk::name_beside(const std::string& key, const std::string& other) const {
   const std::size_t dot = key.rfind('.');
   const std::string table = key.substr(0, dot == std::string::npos ? 0 : dot + 1);
