@@ -15,7 +15,8 @@ struct SliderLevel {
   /// Normal force [N], or height of the underside above the undeformed top face [m].
   double value = 0;
 
-  /// True if the slider touches the skin: the force is above 0, or the height below 0.
+  /// True if the slider presses on the skin: the force is above 0, or the height below 0. A slider
+  /// that only adhesion holds counts as detached.
   bool touches() const { return is_force ? value > 0 : value < 0; }
   bool operator==(const SliderLevel&) const = default;
 };
