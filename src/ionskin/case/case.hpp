@@ -13,327 +13,386 @@
 
 namespace ionskin {
 
-// Plain data of one case, SI units throughout. Read, checked and documented by the schema table
-// (case/schema/schema.hpp); everything below `case` in the list of folders sees only these structs.
+// Plain structs of one case, in SI units throughout. `read_case` (case/reading/read_case.hpp) fills
+// and checks them by the schema table (case/schema/schema.hpp). Solvers see only these structs.
 
-/// Elastic constants of a layer, isotropic and linear.
+/// Isotropic linear elastic constants of the material of a layer, with optional relaxation. With a
+/// coupling law that moves water, those of the core are the undrained constants.
 struct Material {
   std::string name;
-  double youngs_modulus = 0; ///< [Pa]
-  double poissons_ratio = 0; ///< [1]
-  /// Prony series of the shear modulus, which `youngs_modulus` tells of the first instant: the
-  /// share of it that each time takes away. Empty where nothing relaxes.
-  std::vector<double> relaxation_times;  ///< [s]
-  std::vector<double> relaxation_shares; ///< [1]
+  double youngs_modulus = 0; ///< instantaneous, if the material relaxes [Pa]
+  double poissons_ratio = 0; ///< instantaneous, if the material relaxes [1]
+  /// Relaxation times of the Prony series of the shear modulus, ascending [s]; empty if the
+  /// material does not relax.
+  std::vector<double> relaxation_times;
+  /// Share of the instantaneous shear modulus that is lost with each relaxation time [1]; as long
+  /// as `relaxation_times`, with a sum below 1.
+  std::vector<double> relaxation_shares;
 
+  /// True if the material has a Prony series.
   bool relaxes() const { return !relaxation_times.empty(); }
 };
 
-/// Role of a layer for the ions: they move in the core alone.
+/// Role of a layer in the ion transport: ions move only in the core, between electrodes.
 enum class LayerRole { electrode, core };
 
-/// One layer of the skin.
+/// One layer of the skin, as an entry of `Skin::layers`.
 struct Layer {
-  std::string name;
+  std::string name; ///< unique in the skin
   LayerRole role = LayerRole::core;
   Material material;
   double thickness = 0; ///< [m]
-  /// Sheet resistance of an electrode's metal, of a square along it [ohm]; 0 is a perfect
-  /// conductor.
+  /// Sheet resistance of the metal of an electrode [ohm], per square along the face; 0 for a
+  /// perfect conductor.
   double sheet_resistance = 0;
 };
 
-/// The two faces normal to y: free of traction, or symmetry planes (u_y = 0, no shear traction).
+/// Boundary condition on the two faces of the skin that are normal to y: free of traction, or
+/// symmetry planes (u_y = 0, no shear traction).
 enum class SideCondition { free, symmetry };
 
-/// The layered skin, bonded to a rigid base.
+/// Geometry and layers of the skin. The lowest face is bonded to a rigid base; one corner of the
+/// skin is at x = y = 0.
 struct Skin {
   double length = 0; ///< along x [m]
   double width = 0;  ///< along y [m]
   SideCondition sides = SideCondition::free;
-  double humidity = 0;       ///< relative, of the air around; 0 is not given
+  /// Relative humidity of the air with which the skin is in equilibrium [1]; 0 if not given.
+  double humidity = 0;
   std::vector<Layer> layers; ///< bottom to top; exactly one core
 
-  double thickness() const;       ///< of all layers [m]
-  std::size_t core_index() const; ///< index of the ion-conducting layer
-  double core_bottom() const;     ///< height of the core's lower face [m]
-  double core_thickness() const;  ///< [m]
-  double core_volume() const;     ///< [m3]
-  /// Sheet resistances of the bottom and of the top electrode [ohm]: layers that have one are in
-  /// parallel; 0 where none has.
+  double thickness() const; ///< of all layers together [m]
+  /// Index of the core in `layers`. Throws InternalError if no layer is a core.
+  std::size_t core_index() const;
+  double core_bottom() const;    ///< height of the core's lower face above the base [m]
+  double core_thickness() const; ///< [m]
+  double core_volume() const;    ///< [m3]
+  /// Sheet resistances of the bottom electrode and of the top electrode [ohm]. Layers of one
+  /// electrode that have a sheet resistance are connected in parallel; 0 if no layer has one.
   std::array<double, 2> sheet_resistances() const;
 };
 
-/// A rigid body whose underside presses on the skin.
+/// The body whose underside presses on the skin: shape, size, pose and, unless it is rigid, elastic
+/// constants.
 struct Slider {
-  std::string shape = "flat";        ///< a name from the table in shapes/shape.cpp
-  laws::LawValues parameters;        ///< of shapes, that of the chosen one among them
-  std::array<double, 2> size{};      ///< plan of the underside along x and y [m]
-  std::string profile;               ///< absolute path of the height map; empty without one
-  shapes::HeightMap profile_heights; ///< heights in that file
+  std::string shape = "flat"; ///< name of the shape, from the table in shapes/shape.cpp
+  /// Parameters of shapes by name [SI], such as "radius": all that the case gives, among them those
+  /// of the chosen shape.
+  laws::LawValues parameters;
+  std::array<double, 2> size{};      ///< of the underside along the slider's own x and y [m]
+  std::string profile;               ///< absolute path of the height map file; empty without one
+  shapes::HeightMap profile_heights; ///< height map read from `profile`; empty without one
   std::array<double, 2> start{};     ///< centre at the start of a cycle, x and y [m]
-  double youngs_modulus = 0;         ///< 0 for a rigid slider [Pa]
-  double poissons_ratio = 0;         ///< of a soft one [1]
-  double pad_thickness = 0;          ///< of the soft layer on a rigid body; 0 for a half-space [m]
-  shapes::Pose pose;                 ///< throughout, but for waypoints with angles of their own
-  /// True of angles that waypoints change, see settle_pose in case/slider_motion.hpp.
+  double youngs_modulus = 0;         ///< [Pa]; 0 for a rigid slider
+  double poissons_ratio = 0;         ///< of a soft slider [1]
+  /// Thickness of a soft layer on a rigid body [m]; 0 for a soft slider that deforms as a
+  /// half-space.
+  double pad_thickness = 0;
+  shapes::Pose pose; ///< angles; at the first waypoint, if waypoints change them
+  /// Angles that change along the path; set by `settle_pose` (case/slider_motion.hpp).
   shapes::ChangingAngles changing;
 
   bool rigid() const { return youngs_modulus == 0; }
+  /// The underside in the pose `pose`. The result refers to `profile_heights`: the slider must
+  /// outlive it.
   std::unique_ptr<const shapes::Shape> underside() const { return underside(pose); }
-  /// The underside in another pose; the slider must outlive it.
+  /// The underside in the pose `at`. The result refers to `profile_heights`: the slider must
+  /// outlive it.
   std::unique_ptr<const shapes::Shape> underside(const shapes::Pose& at) const;
-  /// The rectangle along the skin's axes that holds the underside in every pose.
+  /// The rectangle along the skin's axes, centred on the slider, that contains the underside in
+  /// every pose of the motion. It refers to `profile_heights`: the slider must outlive it.
   shapes::Plan plan() const;
-  /// Flat with sharp edges: it touches all over its plan at once.
+  /// True if the underside is flat with sharp edges, so that its whole plan touches at once.
   bool sharp() const;
-  /// Half sizes of the part that touches at once; 0 along a round direction [m].
+  /// Half sizes, along x and along y, of the part of the underside that touches at once [m]; 0
+  /// along a direction in which the underside is round.
   std::array<double, 2> flat_half_size() const;
-  /// True, along x and along y, where the underside is its own mirror image under x -> -x and under
-  /// y -> -y.
+  /// Symmetry of the underside about its centre: true at index 0 if it is symmetric under x -> -x,
+  /// at index 1 if it is symmetric under y -> -y. Both are false if the yaw changes over time.
   std::array<bool, 2> symmetric() const;
 };
 
-/// One cycle of touchdown, slide, lift-off and detached return; the same with several strokes back
-/// and forth in contact; or any path.
+/// Kind of one cycle of the motion: touchdown, slide, lift-off and detached return; the same cycle
+/// with several strokes back and forth in contact; or any path through waypoints.
 enum class MotionKind { touch_slide_lift, reciprocating, waypoints };
 
-/// A place on the path of the slider, with its height or with the force that holds it there.
+/// A point of the slider's path in time: its position and either its height or its normal force.
 struct Waypoint {
   double time = 0;                  ///< since the start of the cycle [s]
-  std::array<double, 2> position{}; ///< centre, x and y [m]
-  std::optional<double> height;     ///< underside above the undeformed top face [m]
-  std::optional<double> force;      ///< normal, on the full skin [N]
-  std::size_t line = 0;             ///< in the file it was read from, from 1; 0 in a case
-  std::optional<double> roll = {}, pitch = {}, yaw = {}; ///< in place of the slider's [rad]
+  std::array<double, 2> position{}; ///< centre of the slider, x and y [m]
+  std::optional<double> height;     ///< of the underside above the undeformed top face [m]
+  std::optional<double> force;      ///< normal force on the full skin [N], if no height is given
+  std::size_t line = 0; ///< line of the waypoint file, from 1; 0 for a waypoint of the case file
+  /// Angles of the slider at this waypoint [rad]. `settle_pose` fills empty ones from
+  /// `Slider::pose`.
+  std::optional<double> roll = {}, pitch = {}, yaw = {};
 };
 
-/// Drive that holds the slider along the skin while it touches: a spring and a damper from the path
-/// of the motion, which the drive's end follows, to the mass of the slider.
+/// Compliant drive of the slider along the skin, while it touches. A spring and a damper in
+/// parallel connect the slider's mass to a point that follows the path of the motion.
 struct Drive {
-  double stiffness = 0; ///< 0 where nothing gives [N/m]
+  double stiffness = 0; ///< [N/m]; 0 without a drive: the slider follows the path itself
   double damping = 0;   ///< [N s/m]
-  double mass = 0;      ///< [kg]
+  double mass = 0;      ///< of the slider [kg]; 0 for one without inertia
 
-  bool given() const { return stiffness > 0; }
-  double natural_period() const; ///< of the mass on the spring [s]; 0 without mass
+  bool given() const { return stiffness > 0; } ///< true if the slider is on a drive
+  /// Natural period of the mass on the spring [s]; 0 without mass or without a drive.
+  double natural_period() const;
 };
 
-/// Motion of the slider, repeated `cycles` times. What it does in one cycle, whatever the kind, is
-/// said by motion_legs (case/slider_motion.hpp).
+/// Motion of the slider, repeated `cycles` times. `motion_legs` (case/slider_motion.hpp) turns any
+/// kind of motion into the linear legs of one cycle.
 struct Motion {
   MotionKind kind = MotionKind::touch_slide_lift;
-  double gap = 0;           ///< initial clearance [m]
-  double preload = 0;       ///< indentation while sliding [m]; 0 where a force presses
-  double preload_force = 0; ///< on the full skin while sliding [N]; 0 where an indentation is given
-  double stroke = 0;        ///< [m]; 0 is a press-and-hold
+  double gap = 0;           ///< clearance between slider and skin at the start of a cycle [m]
+  double preload = 0;       ///< indentation while sliding [m]; 0 if `preload_force` is given
+  double preload_force = 0; ///< normal force on the full skin while sliding [N]; 0 if `preload` is
+  double stroke = 0;        ///< length of the slide [m]; 0 presses and holds
   std::array<double, 2> direction{1, 0}; ///< unit vector of the slide in the x-y plane
-  double touchdown = 0;                  ///< duration [s]
+  double touchdown = 0;                  ///< duration of the descent [s]
   double slide = 0;                      ///< duration of one stroke [s]
-  double lift = 0;                       ///< duration [s]
-  double return_ = 0;                    ///< duration [s]
-  int cycles = 1;
-  // reciprocating
-  int strokes = 2;  ///< one way each, back and forth
+  double lift = 0;                       ///< duration of the ascent [s]
+  double return_ = 0;                    ///< duration of the detached return to the start [s]
+  int cycles = 1;                        ///< number of cycles
+  // Members of `reciprocating` only.
+  int strokes = 2;  ///< number of one-way strokes, back and forth
   double dwell = 0; ///< rest at each reversal [s]
-  // waypoints: these alone say what happens, and what stands above is not used but for `cycles`
-  std::vector<Waypoint> waypoints; ///< ascending in time
-  std::string file; ///< absolute path of the file they were read from; empty for those of the case
-  Drive drive;
+  // Members of `waypoints` only, which uses none of the members above but `cycles`.
+  std::vector<Waypoint> waypoints; ///< ascending in time, the first at 0 s
+  std::string file; ///< absolute path of the waypoint file; empty for waypoints of the case file
+  Drive drive;      ///< compliant drive along the skin, of any kind of motion
 
+  /// True if strokes are pressed by a force instead of an indentation.
   bool force_controlled() const { return preload_force > 0; }
   double cycle_duration() const; ///< [s]
 };
 
-/// Contact and friction between slider and skin.
+/// Friction law between slider and skin, with its parameters.
 struct Contact {
   std::string law = "coulomb"; ///< a name from the table in laws/friction/friction_law.cpp
-  double friction = 0;         ///< coefficient [1]
-  laws::LawValues parameters;  ///< the law's own
+  double friction = 0;         ///< coefficient of friction [1]
+  laws::LawValues parameters;  ///< further parameters of the law by name [SI]
 };
 
-/// Ions without size, or ions that take room from one another.
+/// Model of the mobile cations: point charges (`dilute`); ions of finite size, whose concentration
+/// stays below a maximum (`steric`); or double layers as thin capacitors on a conductor
+/// (`thin_layers`), a first-order model for the law "poroelastic" only.
 enum class IonModel { dilute, steric, thin_layers };
 
-/// Ions and solvent of the core.
+/// Transport properties of the ions in the core.
 struct Electrochemistry {
   double temperature = 0;                ///< [K]
   double diffusivity = 0;                ///< of the mobile cation [m2/s]
-  double permittivity = 0;               ///< effective, absolute [F/m]
-  double fixed_charge_concentration = 0; ///< c0 [mol/m3]
-  int valence = 1;                       ///< of the mobile cation
+  double permittivity = 0;               ///< effective permittivity of the core, absolute [F/m]
+  double fixed_charge_concentration = 0; ///< c0, of the anions in the unstrained core [mol/m3]
+  int valence = 1;                       ///< v, charge number of the mobile cation [1]
   IonModel ion_model = IonModel::dilute;
-  double largest_concentration = 0; ///< of the mobile cation, of ion model `steric` [mol/m3]
-  /// Capacitance of one electrode's double layer at rest, per projected area [F/m2]; 0 for that
-  /// which the permittivity makes of the projected area.
+  /// Upper limit of the cation concentration [mol/m3]; used by the ion model `steric` only.
+  double largest_concentration = 0;
+  /// Capacitance of the double layer of one electrode at rest, per projected area [F/m2]; 0 for the
+  /// capacitance that follows from the permittivity and the projected area.
   double interface_capacitance = 0;
 
   /// Concentration of the mobile cation at rest, c0 / v [mol/m3].
   double resting_concentration() const { return fixed_charge_concentration / valence; }
 };
 
-/// Coupling of strain to the charge of the core: a law and its values.
+/// Coupling law by which strain of the core drives its ions, with its parameters.
 struct Coupling {
-  std::string law = "fixed-charge";     ///< a name from the table in laws/coupling/coupling_law.cpp
-  double coefficient = 0;               ///< k [1]
-  laws::LawValues parameters;           ///< the law's own
-  std::string measure = "off-diagonal"; ///< a name from the table in laws/shear/shear_measure.cpp
+  std::string law = "fixed-charge"; ///< a name from the table in laws/coupling/coupling_law.cpp
+  double coefficient = 0;           ///< k [1]; not used by laws that move water
+  laws::LawValues parameters;       ///< further parameters of the law by name [SI]
+  /// Scalar measure of the shear strain, a name from the table in laws/shear/shear_measure.cpp; not
+  /// used by laws that move water.
+  std::string measure = "off-diagonal";
 };
 
-/// Permeability of a wall of the core to water: it lets none through, lets it through freely, or
-/// lets through in proportion to what the potentials on both sides differ by.
+/// Boundary condition for water at the bottom or top wall of the core: no flux (`sealed`), the
+/// potential outside (`open`), or a flux in proportion to the difference of the potentials on both
+/// sides (`permeable`), docs/model.md (74).
 enum class WaterWall { sealed, open, permeable };
 
-/// Volume in which swelling dilutes the cations: that of the mixture or that of the pore water.
+/// Volume in which swelling dilutes the cations: the whole core (polymer and water), or its pore
+/// water only, which dilutes them more.
 enum class WaterDilution { mixture, pore_water };
 
-/// Water in the core, of coupling laws that move it. What is 0 was not given.
+/// Properties of the water in the core and at its walls; used only by coupling laws that move
+/// water. A value of 0 was not given. Exactly one of `drained_poissons_ratio` and `drained_modulus`
+/// is given, and at least one of `permeability`, `mobility` and `consolidation_coefficient`.
 struct Water {
-  double drag_number = 0;               ///< n_d: water molecules that a cation drags [1]
-  double drained_poissons_ratio = 0;    ///< at constant water potential [1]
-  double drained_modulus = 0;           ///< M, oedometric, at constant water potential [Pa]
-  double permeability = 0;              ///< at zero current [m2]
-  double viscosity = 0;                 ///< of the water in the pores [Pa s]
-  double mobility = 0;                  ///< K, permeability over viscosity [m2/(Pa s)]
-  double consolidation_coefficient = 0; ///< c_v [m2/s]
+  double drag_number = 0;            ///< n_d, electro-osmotic drag: water molecules per cation [1]
+  double drained_poissons_ratio = 0; ///< of the core at constant water potential [1]
+  double drained_modulus = 0;        ///< M, oedometric modulus at constant water potential [Pa]
+  double permeability = 0;           ///< hydraulic permeability of the core at zero current [m2]
+  double viscosity = 0;              ///< of the water in the pores [Pa s]
+  double mobility = 0;               ///< K, permeability over viscosity [m2/(Pa s)]
+  double consolidation_coefficient = 0; ///< c_v, diffusivity of the water pressure [m2/s]
   WaterDilution dilution = WaterDilution::mixture;
-  double volume_fraction = 0; ///< of water in the core [1]
+  double volume_fraction = 0; ///< of water in the core [1]; needed by `pore_water` dilution
   WaterWall bottom_wall = WaterWall::sealed, top_wall = WaterWall::sealed;
-  double bottom_conductance = 0, top_conductance = 0; ///< of permeable walls [m/(Pa s)]
-  double bottom_pressure = 0, top_pressure = 0; ///< of the water outside, above that at rest [Pa]
+  /// Hydraulic conductances of permeable walls: volume per area, time and pressure [m/(Pa s)].
+  double bottom_conductance = 0, top_conductance = 0;
+  /// Pressures of the water outside open or permeable walls, relative to the state at rest [Pa].
+  double bottom_pressure = 0, top_pressure = 0;
 };
 
-/// Source of the strain of Study 2.
+/// Source of the strain that drives Study 2: Study 1 (`contact`), a strain file, or a prescribed
+/// load that is uniform along the skin.
 enum class StrainSourceKind { contact, file, prescribed };
 
-/// Waveform of a prescribed load over time: from the first instant on, growing evenly, or swinging.
+/// Waveform of a prescribed load over time: constant from the first instant (`step`), growing
+/// linearly and then held (`ramp`), or sinusoidal (`sine`).
 enum class LoadWaveform { step, ramp, sine };
 
-/// The strain of Study 2: that of the contact, of a file, or prescribed.
+/// The strain that drives Study 2: where it comes from, and the load where it is prescribed.
 struct StrainSource {
   StrainSourceKind kind = StrainSourceKind::contact;
-  std::string file; ///< absolute path; empty without one
-  // prescribed: a load that is uniform along the skin, one of the three; 0 is not given
+  std::string file; ///< absolute path of the strain file; empty without one
+  // Members of a prescribed load only. At most one of pressure, compression and curvature is given;
+  // the others are 0.
   double pressure = 0;    ///< on both faces, positive in compression [Pa]
-  double compression = 0; ///< by how much the core is held thinner [m]
+  double compression = 0; ///< prescribed decrease of the core's thickness [m]
   double curvature = 0;   ///< of the skin along x, positive with the top face stretched [1/m]
   LoadWaveform waveform = LoadWaveform::step;
-  double rise = 0;      ///< of `ramp`: after it the load is held [s]
-  double frequency = 0; ///< of `sine` [Hz]
+  double rise = 0;      ///< time in which the load of a `ramp` grows [s]
+  double frequency = 0; ///< of a `sine` [Hz]
   double duration = 0;  ///< of the run [s]
 };
 
-/// Instead of a circuit of its own: a taxel is part of the one conductor of the electrode.
+/// Circuit name of a taxel that has no circuit of its own: it is part of the one conductor of the
+/// top electrode, and has the circuit of that electrode.
 inline constexpr const char* shared_circuit = "shared";
 
-/// A rectangle of the top electrode with a lead of its own.
+/// A taxel: a rectangle of the top electrode with a lead of its own. Also a line of a crossbar, see
+/// `Readout::lines`.
 struct Taxel {
-  std::string name;
-  std::array<double, 2> lower{}, upper{}; ///< corners, x and y [m]
-  std::string circuit;                    ///< of its own; empty for `Readout::taxel_circuit`
-  laws::LawValues parameters;             ///< of it, where they differ from those of the readout
+  std::string name;                       ///< unique; ends the names of the taxel's columns
+  std::array<double, 2> lower{}, upper{}; ///< corners with the least and greatest x and y [m]
+  std::string circuit; ///< name of its circuit; empty for `Readout::taxel_circuit`
+  /// Circuit parameters by name [SI] that replace those of `Readout::parameters` for this taxel.
+  laws::LawValues parameters;
 };
 
-/// Leads of the taxels of a grid: one each on the top face, or those of lines that cross, columns
-/// on the top face and rows on the bottom one.
+/// Wiring of a grid of taxels: one lead for each taxel on the top face (`single`), or columns of
+/// the top electrode that cross rows of the bottom electrode, with one lead for each line
+/// (`crossbar`).
 enum class TaxelWiring { single, crossbar };
 
-/// Equal taxels over the whole top electrode, instead of a list of them.
+/// Regular grid of equal taxels over the whole top electrode, instead of a list of taxels.
 struct TaxelGrid {
-  int rows = 0, columns = 0; ///< along y and along x; 0 without a grid
-  double gap = 0;            ///< between neighbours [m]
+  int rows = 0, columns = 0; ///< numbers of taxels along y and along x; 0 without a grid
+  double gap = 0;            ///< bare strip between neighbouring taxels [m]; 0 if they touch
   TaxelWiring wiring = TaxelWiring::single;
 };
 
-/// Taxels read one row after another, each row by the circuits of its taxels for a while.
+/// Multiplexed readout: one row of taxels after another is connected to its circuits, for the time
+/// `dwell` each.
 struct Scan {
-  double dwell = 0;           ///< on a row [s]; 0 for no scan
-  bool grounds_others = true; ///< true if taxels that are not read are grounded; open otherwise
+  double dwell = 0;           ///< time on each row [s]; 0 reads all taxels all the time
+  bool grounds_others = true; ///< true if rows that are not read are grounded, false if open
 };
 
-/// Part of the metal of both electrodes that the leads touch: all over, or at the ends of the skin
-/// along x, or at a part of the end at x = 0 that begins at y = 0.
+/// Part of the metal of both electrodes that the leads touch: the whole face, the end at x = 0,
+/// both ends along x, or the part of the end at x = 0 from y = 0 to `corner_share` times the width.
 enum class ElectrodeContact { everywhere, one_end, both_ends, corner };
 
-/// Length of a contact at a corner over the width of the skin.
+/// Length of a lead at a corner, `ElectrodeContact::corner`, over the width of the skin [1].
 inline constexpr double corner_share = 0.25;
 
-/// Readout: what the electrodes are connected to, and how signals are sampled.
+/// Readout: taxels, the circuits that connect the electrodes, and the sampling of the signals.
 struct Readout {
-  double sample_interval = 0;        ///< [s]
-  std::string circuit = "short";     ///< a name from the table in circuits/circuit.cpp
-  std::string instrument = "ad8605"; ///< a name from the table in circuits/instruments.cpp
-  laws::LawValues parameters;        ///< of circuits, that of the chosen one among them
-  ElectrodeContact contact = ElectrodeContact::one_end; ///< matters with sheet resistances only
-  TaxelGrid taxel_grid;                                 ///< as written
-  std::vector<Taxel> taxels; ///< disjoint, those of a grid too; empty for one whole electrode
-  /// Circuit of the taxels: `shared_circuit`, or a name from the table of circuits.
+  /// Interval of the sampled currents, each of which is the mean current over one interval [s].
+  double sample_interval = 0;
+  /// Circuit between the two electrodes, a name from the table in circuits/circuit.cpp.
+  std::string circuit = "short";
+  /// Instrument whose noise is estimated, a name from the table in circuits/instruments.cpp.
+  std::string instrument = "ad8605";
+  /// Parameters of circuits by name [SI]: all that the case gives, among them those of the chosen
+  /// circuits.
+  laws::LawValues parameters;
+  /// Part of the electrodes that the leads touch; matters only with sheet resistances.
+  ElectrodeContact contact = ElectrodeContact::one_end;
+  TaxelGrid taxel_grid;      ///< grid as the case gives it; `taxels` holds its taxels
+  std::vector<Taxel> taxels; ///< disjoint, of a list or of the grid; empty for one whole electrode
+  /// Circuit between each taxel and the bottom electrode: `shared_circuit`, or a name from the
+  /// table of circuits. Of a crossbar, the circuit of every column.
   std::string taxel_circuit = shared_circuit;
 
-  /// Circuit of the rows of a crossbar, a name from the table of circuits.
+  /// Circuit between each row of a crossbar and the ground, a name from the table of circuits.
   std::string row_circuit = "short";
 
-  /// True if both electrodes are cut into lines, whose crossings are the taxels.
+  /// True if both electrodes are cut into lines: columns of the top electrode and rows of the
+  /// bottom electrode, whose crossings are the taxels.
   bool is_crossbar() const { return taxel_grid.wiring == TaxelWiring::crossbar; }
   /// The lines of a crossbar as rectangles with their circuits: the columns of the top face, c1 to
-  /// cN, whose circuit is that of the taxels, then the rows of the bottom face, r1 to rM. Empty
-  /// without a crossbar.
+  /// cN, then the rows of the bottom face, r1 to rM. Empty without a crossbar or without taxels.
   std::vector<Taxel> lines() const;
-  /// True if the ground holds every line of a crossbar all the time.
+  /// True if every line of a crossbar is at ground potential all the time, read or not. Only for a
+  /// crossbar with taxels.
   bool lines_are_held() const;
 
-  /// True if a taxel is a conductor with a circuit of its own, apart from the electrode, or lies
-  /// where two such lines cross.
+  /// True if the taxel of this index is a conductor of its own, with a circuit of its own, or the
+  /// crossing of two lines of a crossbar; false if it is part of one conductor with other taxels.
   bool has_own_circuit(std::size_t taxel) const;
   /// True if any taxel has a circuit of its own.
   bool is_cut() const;
-  /// The circuit of a taxel, of its column where lines cross, and all its parameters.
+  /// Name of the circuit of the taxel of this index; of a crossbar, of its column. It is `circuit`
+  /// for a taxel without a circuit of its own.
   const std::string& circuit_of(std::size_t taxel) const;
+  /// Circuit parameters of the taxel of this index by name [SI]: `parameters`, replaced by those
+  /// that the taxel gives itself.
   laws::LawValues parameters_of(std::size_t taxel) const;
 
-  Scan scan;
-  /// The row that a taxel is read with: that of a grid; of a list every taxel is one.
+  Scan scan; ///< multiplexing of the taxels; its `dwell` is 0 without one
+  /// Index of the row with which the taxel of this index is read: its row in a grid, or the index
+  /// itself in a list of taxels, each of which is a row of its own.
   std::size_t scan_row(std::size_t taxel) const;
-  /// The row that is read at a time since the begin of the run [s].
+  /// Index of the row that a scan reads at a time since the start of the run [s]. Only with taxels
+  /// and with `scan.dwell` above 0.
   std::size_t row_read_at(double time) const;
 };
 
-/// Sets of mesh sizes and tolerances.
+/// Set of mesh sizes and tolerances, by the accuracy it aims at: a first look (`coarse`), 1 %
+/// (`standard`), or 0.25 % (`fine`).
 enum class Preset { coarse, standard, fine };
 
-/// Mesh sizes, tolerances and steps.
+/// Resolution of the solvers: a preset and factors that refine it.
 struct Numerics {
   Preset preset = Preset::standard;
-  double mesh_refinement = 1; ///< divides every mesh size
-  double time_refinement = 1; ///< divides every time step
-  /// Multiplies the elements through core and top electrode's face beside `mesh_refinement`; no key
-  /// of a case, but for the coarser solutions that give the errors.
+  double mesh_refinement = 1; ///< divides every mesh size of the preset [1]
+  double time_refinement = 1; ///< divides every time step of the preset [1]
+  /// Multiplies, beside `mesh_refinement`, the numbers of elements through the core and in the face
+  /// of the top electrode [1]. No key of a case: only coarser solutions for error estimates set it.
   double thickness_refinement = 1;
-  double time_tolerance = 0;  ///< relative error of the charge per time step; 0: the preset's
-  bool error_estimate = true; ///< solve coarser solutions, which give the errors of results
+  /// Error of the charge that one time step may add, relative to the largest charge so far [1]; 0
+  /// for the tolerance of the preset.
+  double time_tolerance = 0;
+  bool error_estimate = true; ///< true if coarser solutions are computed to estimate errors
 };
 
-/// Output that a run keeps beside signals and metrics.
+/// Output that a run writes in addition to signals and metrics.
 struct Output {
-  std::vector<double> fields; ///< instants at which fields are written [s]
+  std::vector<double> fields; ///< instants at which fields are written [s]; empty for none
 };
 
-/// A slider of a case beside the first one, on the same skin.
+/// One more slider on the same skin, beside the first slider of a case, with its motion and its
+/// friction law.
 struct FurtherSlider {
   Slider slider;
   Motion motion;
   Contact contact;
 };
 
-/// One study as plain values in SI units; `read_case` makes it and checks it.
+/// All input of one run as plain values in SI units. `read_case` (case/reading/read_case.hpp) makes
+/// and checks it.
 struct Case {
-  std::string title;
+  std::string title; ///< for reports
   Skin skin;
   Slider slider;
   Motion motion;
   Contact contact;
-  /// Sliders of a list [[slider]] behind its first entry, which `slider`, `motion` and `contact`
-  /// are.
+  /// The second and later sliders of a list [[slider]] in the case file; empty for a single slider.
+  /// `slider`, `motion` and `contact` hold the first one.
   std::vector<FurtherSlider> further_sliders;
   Electrochemistry electrochemistry;
   Coupling coupling;
@@ -342,23 +401,28 @@ struct Case {
   Readout readout;
   Numerics numerics;
   Output output;
-  /// Notes on the case as it is written, for a reader of the results; nothing is computed from it.
+  /// Remarks on how the case is written, such as keys without effect, one or more sentences each,
+  /// for a reader of the results; no result depends on them.
   std::vector<std::string> notes;
   std::string text; ///< the TOML text with all `--set` edits applied, as written to case.toml
-  /// Every key with its value in SI units, those of defaults and of material presets included.
+  /// Every key with its value in SI units, one "key = value" a line, with defaults and values of
+  /// material presets.
   std::string values;
 
-  /// True if the potential varies along the metal of an electrode.
+  /// True if the potential varies along the metal of an electrode: it has a sheet resistance, and
+  /// the leads do not touch it everywhere.
   bool has_sheet_resistance() const;
 };
 
-/// Largest number of sliders of a case.
+/// Largest number of sliders of a case, the first one included.
 inline constexpr std::size_t most_sliders = 4;
 
-/// One case for each slider, in order, in which it is alone on the skin.
+/// Splits a case of several sliders into one case for each slider, in order, with only that slider
+/// on the skin. A case of one slider gives one copy.
 std::vector<Case> cases_of_sliders(const Case& input);
 
-/// Between symmetry planes a slider over the whole width, wherever it goes, makes plane strain.
+/// True if the deformation is plane strain: the sides of the skin are symmetry planes, and the
+/// first slider covers the whole width of the skin at every position of its path.
 bool covers_width(const Case& input);
 
 } // namespace ionskin

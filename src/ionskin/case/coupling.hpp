@@ -6,8 +6,8 @@
 
 namespace ionskin {
 
-/// True if the coupling law of a case moves water, by the constants of [water], instead of having a
-/// coefficient k and a measure of shear.
+/// True if the coupling law of a case describes water transport in the core, with the constants of
+/// `Case::water`; false if it has a coefficient k and a shear measure instead.
 inline bool moves_water(const Case& input) {
   return laws::coupling_law(input.coupling.law).traits.moves_water;
 }

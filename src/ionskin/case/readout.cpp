@@ -63,7 +63,7 @@ const std::string& Readout::circuit_of(std::size_t taxel) const {
   if (!taxels[taxel].circuit.empty()) {
     return taxels[taxel].circuit;
   }
-  // The columns of a crossbar are conductors of their own, which share nothing.
+  // The columns of a crossbar are separate conductors, so that "shared" means "short" for them.
   static const std::string grounded = "short";
   return taxel_circuit == shared_circuit ? grounded : taxel_circuit;
 }
@@ -81,7 +81,8 @@ std::size_t Readout::scan_row(std::size_t taxel) const {
 }
 
 std::size_t Readout::row_read_at(double time) const {
-  constexpr double rounding = 1e-6; // of a dwell: an instant next to a switch is the switch
+  constexpr double rounding =
+      1e-6; // over the dwell: an instant this close to a switch counts as the switch
   const std::size_t rows = scan_row(taxels.size() - 1) + 1;
   return static_cast<std::size_t>(std::floor(time / scan.dwell + rounding)) % rows;
 }

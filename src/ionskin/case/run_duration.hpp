@@ -7,7 +7,7 @@
 
 namespace ionskin {
 
-/// Duration of the run [s] where the case tells it; that of a strain file stands in the file.
+/// Duration of the run [s]; empty for a case with a strain file, which itself holds the duration.
 inline std::optional<double> run_duration(const Case& input) {
   switch (input.strain.kind) {
   case StrainSourceKind::contact:

@@ -19,7 +19,7 @@ Point between(const Point& from, const Point& to, double fraction) {
   return {from[0] + fraction * (to[0] - from[0]), from[1] + fraction * (to[1] - from[1])};
 }
 
-/// Appends legs one behind the other.
+/// Builds a cycle leg by leg; each leg starts where the one before ends.
 class Cycle {
 public:
   Cycle(const Point& start, const SliderLevel& level, const shapes::Pose& pose)
@@ -45,7 +45,9 @@ private:
   std::vector<MotionLeg> legs_;
 };
 
-/// Touchdown, strokes back and forth with rests between them, lift-off, return.
+/// Makes the legs of touchdown, strokes back and forth with rests between them, lift-off and
+/// return.
+/// @param count number of strokes
 std::vector<MotionLeg> strokes(const Motion& motion, const Slider& slider, int count) {
   const SliderLevel above{false, motion.gap};
   const SliderLevel pressed = motion.force_controlled() ? SliderLevel{true, motion.preload_force}
@@ -72,7 +74,8 @@ SliderLevel level_of(const Waypoint& waypoint) {
                         : SliderLevel{false, waypoint.height.value_or(0)};
 }
 
-/// Detached legs belong to touchdown before the first contact and to the return behind it.
+/// Phase of a leg between two levels. A detached leg belongs to `touchdown` before the first
+/// contact and to `return_` after it.
 Phase phase_of(const SliderLevel& from, const SliderLevel& to, bool has_touched) {
   if (from.touches())
     return to.touches() ? Phase::slide : Phase::lift;
@@ -235,9 +238,9 @@ const MotionLeg& first_slide(const std::vector<MotionLeg>& legs) {
 
 namespace {
 
-/// One past the last leg that carries on the first slide.
+/// Index behind the last leg that continues the slide of the leg `first`; `first` + 1 if none does.
 std::size_t end_of_slide(const std::vector<MotionLeg>& legs, std::size_t first) {
-  constexpr double least_cosine = 0.995; // of a tenth of a radian
+  constexpr double least_cosine = 0.995; // cos(0.1 rad)
   std::size_t next = first + 1;
   while (legs[first].slides() && next < legs.size() && legs[next].slides()) {
     const Point before = legs[next - 1].direction(), here = legs[next].direction();
@@ -248,7 +251,7 @@ std::size_t end_of_slide(const std::vector<MotionLeg>& legs, std::size_t first) 
   return next;
 }
 
-/// The legs [first, end) as one.
+/// Joins the legs [first, end) to one leg.
 MotionLeg joined(const std::vector<MotionLeg>& legs, std::size_t first, std::size_t end) {
   MotionLeg slide = legs[first];
   if (end - first > 1) {
@@ -277,7 +280,7 @@ std::vector<MotionLeg> joined_slides(const std::vector<MotionLeg>& legs) {
 }
 
 Point slide_direction(const std::vector<MotionLeg>& legs) {
-  constexpr double least_lead = 0.5; // of the way, for it to lead somewhere
+  constexpr double least_lead = 0.5; // distance between the ends over the length of the path
   const MotionLeg& first = first_slide(legs);
   const auto index = static_cast<std::size_t>(&first - legs.data());
   double way = 0;

@@ -5,7 +5,7 @@
 
 namespace ionskin::shapes {
 
-/// A cylinder that lies on the skin, cut off sharply at both ends.
+/// A cylinder that lies on the skin with its axis along y, with a sharp edge at each end.
 struct Cylinder final : Shape {
   double radius = 0; ///< [m]
 

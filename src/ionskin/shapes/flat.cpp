@@ -25,8 +25,8 @@ double Flat::border(const Plan& plan, const Pressing& pressing, std::size_t) con
   if (pressing.force <= 0) {
     return line_contact(edge_radius, pressing);
   }
-  // No deeper than a circle within the flat part goes into a half-space of the softest layer
-  // (Johnson, Contact Mechanics, 1985, equation 3.36).
+  // The indentation under the force is at most that of a circular punch within the flat part on a
+  // half-space of the same modulus (Johnson, Contact Mechanics, 1985, equation 3.36).
   const std::array<double, 2> flat = flat_half_size(plan);
   const double radius = std::max(0.0, std::min(flat[0], flat[1]));
   Pressing in_place = pressing;

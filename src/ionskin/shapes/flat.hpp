@@ -5,10 +5,10 @@
 
 namespace ionskin::shapes {
 
-/// A block with sharp edges, or with edges rounded by quarter circles along the whole border of its
-/// plan, around the corners too.
+/// A block with a flat underside. Its edges are sharp, or rounded by quarter circles along the
+/// whole border of the plan, corners included.
 struct Flat final : Shape {
-  double edge_radius = 0; ///< 0 for sharp edges [m]
+  double edge_radius = 0; ///< [m]; 0 for sharp edges
 
   static constexpr std::string_view meaning = "a flat face with sharp or rounded edges";
   static constexpr auto parameters() {

@@ -11,7 +11,8 @@ namespace ionskin::shapes {
 
 namespace {
 
-/// Interval that holds the value, and how far it lies within.
+/// Finds the interval of ascending lines that contains a value, and the value's fraction of the
+/// interval.
 std::pair<std::size_t, double> locate(const std::vector<double>& lines, double value) {
   const auto above = std::upper_bound(lines.begin() + 1, lines.end() - 1, value);
   const auto index = static_cast<std::size_t>(above - lines.begin()) - 1;
@@ -36,7 +37,7 @@ double HeightMap::interpolated(double at_x, double at_y) const {
 
 double HeightMap::lowest(const std::array<double, 2>& size,
                          const std::array<double, 2>& slope) const {
-  // Least at a grid point within the plan or where a grid line meets its border.
+  // The least value is at a grid point within the plan, or where a grid line meets its border.
   const auto places = [](const std::vector<double>& lines, double half) {
     std::vector<double> inside{std::max(-half, lines.front()), std::min(half, lines.back())};
     std::copy_if(lines.begin(), lines.end(), std::back_inserter(inside),

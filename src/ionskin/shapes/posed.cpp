@@ -12,7 +12,7 @@ namespace {
 
 constexpr double rounding = 1e-9;
 
-/// Unit vector at an angle, without rounding at quarter turns.
+/// Unit vector at an angle [rad] from the x axis; exact at multiples of a quarter turn.
 std::array<double, 2> unit_vector(double angle) {
   std::array<double, 2> result{std::cos(angle), std::sin(angle)};
   for (double& value : result) {
@@ -24,7 +24,7 @@ std::array<double, 2> unit_vector(double angle) {
   return result;
 }
 
-/// Yaw that matters to the looks of a body: none of an upright one that looks alike from all sides.
+/// Yaw [rad] that changes the underside; 0 for an upright body of revolution.
 double felt_yaw(const Shape& body, const Plan& plan, const Pose& pose) {
   return body.turns_into_itself(plan) && !pose.tilted() ? 0.0 : pose.yaw;
 }
@@ -57,7 +57,7 @@ Posed::Posed(std::unique_ptr<const Shape> body, const Plan& plan, const Pose& po
   changing_.yaw = spins_ && (!even() || !body_->turns_into_itself(plan_));
 }
 
-/// Not tilted, now or later.
+/// True if the body is not tilted now or later.
 bool Posed::even() const {
   return slope_[0] == 0 && slope_[1] == 0 && !changing_.roll && !changing_.pitch;
 }
@@ -94,14 +94,14 @@ std::array<double, 2> Posed::flat_half_size(const Plan&) const {
   const std::array<double, 2> own = body_->flat_half_size(plan_);
   for (std::size_t d = 0; d < 2; ++d) {
     const std::size_t at = own_direction(d);
-    // A sharp edge stays one when it is tilted.
+    // A tilted face is not flat any more, but its sharp edges are still sharp.
     result[d] = even() || own[at] == plan_.size[at] / 2 ? own[at] : 0.0;
   }
   return result;
 }
 
 std::array<bool, 2> Posed::symmetric(const Plan&) const {
-  if (!along_axes(x_axis_) || spins_) { // friction turns with it
+  if (!along_axes(x_axis_) || spins_) { // friction of a turning slider is not symmetric
     return {false, false};
   }
   const std::array<bool, 2> own = body_->symmetric(plan_);
@@ -119,7 +119,7 @@ double Posed::border(const Plan& plan, const Pressing& pressing, std::size_t dir
   if (pressing.force > 0 || changing_.any()) {
     return std::numeric_limits<double>::infinity();
   }
-  // Reach of the undeformed skin into the body, on a grid.
+  // Distance up to which the undeformed skin overlaps the body, searched on a grid.
   constexpr int intervals = 256;
   const double level = lowest(plan) + pressing.indentation;
   const std::array<double, 2> step{plan.size[0] / intervals, plan.size[1] / intervals};

@@ -5,16 +5,23 @@
 
 namespace ionskin::shapes {
 
-/// The rectangle along the axes of the skin that holds a body in a pose and in all that it turns
-/// to, about its centre [m].
+/// Size along the axes of the skin of the rectangle about the centre that contains a body in a
+/// pose, and in every other pose to which it turns [m].
+/// @param plan of the body, along its own axes
+/// @param changing angles that change along the path: a changing yaw takes the diagonal
 std::array<double, 2> posed_size(const Shape& body, const Plan& plan, const Pose& pose,
                                  const ChangingAngles& changing);
 
-/// A body in a pose: tilted by little, so that a slope is added to its height, and then turned,
-/// docs/model.md (77). Places and plans that its members take are along the axes of the skin; it
-/// keeps the body's own plan, of which the heights must outlive it.
+/// A body in a pose, docs/model.md (77): a small tilt, which adds a slope to its height, followed
+/// by a turn about z. Positions, plans and directions of the member functions are along the axes of
+/// the skin. The body's own plan is stored; its height map must outlive this object.
 class Posed final : public Shape {
 public:
+  /// Puts a body into a pose.
+  /// @param body the shape in the upright pose
+  /// @param plan of the body, along its own axes
+  /// @param changing angles that change along the path; symmetries and flat parts are reported only
+  ///   if the motion keeps them
   Posed(std::unique_ptr<const Shape> body, const Plan& plan, const Pose& pose,
         const ChangingAngles& changing);
 
@@ -28,15 +35,17 @@ public:
   std::vector<Misfit> misfits(const Plan&) const override { return body_->misfits(plan_); }
 
 private:
+  /// True if the body is not tilted now or later.
   bool even() const;
+  /// Index of the body's axis (0 is x, 1 is y) that is parallel to an axis of the skin.
   std::size_t own_direction(std::size_t direction) const;
 
   std::unique_ptr<const Shape> body_;
-  Plan plan_;
-  ChangingAngles changing_; ///< of what the body looks like
-  bool spins_;
-  std::array<double, 2> slope_;  ///< along the body's axes
-  std::array<double, 2> x_axis_; ///< of the body, along those of the skin
+  Plan plan_;                    ///< of the body, along its own axes
+  ChangingAngles changing_;      ///< angles whose change alters the underside
+  bool spins_;                   ///< true if the yaw changes, even if that alters nothing
+  std::array<double, 2> slope_;  ///< of the tilt, along the body's axes [1]
+  std::array<double, 2> x_axis_; ///< unit vector of the body's x axis in the axes of the skin
 };
 
 } // namespace ionskin::shapes

@@ -11,8 +11,9 @@
 namespace ionskin::shapes {
 namespace {
 
-/// Farthest from the centre that a line of heights lies below a level, within +-half; 0 where it
-/// does not.
+/// Largest distance from the centre, within +-half, at which a profile line lies below a level [m];
+/// 0 if it does not.
+/// @param places, heights points of the line, linear in between [m]
 double reach_below(const std::vector<double>& places, const std::vector<double>& heights,
                    double level, double half) {
   double reach = 0;
@@ -35,7 +36,7 @@ double reach_below(const std::vector<double>& places, const std::vector<double>&
 
 double Profile::height(const Plan& plan, double x, double y) const {
   const HeightMap& map = plan.heights;
-  // Cell edges may lie outside the map by rounding.
+  // Edges of contact cells may lie outside the map by rounding.
   return map.interpolated(std::clamp(x, map.x.front(), map.x.back()),
                           std::clamp(y, map.y.front(), map.y.back()));
 }
@@ -56,8 +57,8 @@ double Profile::border(const Plan& plan, const Pressing& pressing, std::size_t d
   if (pressing.force > 0) {
     return std::numeric_limits<double>::infinity();
   }
-  // The heights between grid lines are linear along each direction: the least along y of every x is
-  // on a line y = const.
+  // Heights are linear along each direction between the grid lines, so that the least height across
+  // `direction` lies on a grid line or on the border of the plan.
   const HeightMap& map = plan.heights;
   const double level = lowest(plan) + pressing.indentation;
   const std::vector<double>&along = direction == 0 ? map.x : map.y,

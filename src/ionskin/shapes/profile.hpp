@@ -5,7 +5,7 @@
 
 namespace ionskin::shapes {
 
-/// Any underside, by a map of its heights.
+/// An underside of any form, given by the height map of its plan.
 struct Profile final : Shape {
   static constexpr std::string_view meaning = "a map of heights";
   static constexpr bool takes_heights = true;
@@ -15,7 +15,8 @@ struct Profile final : Shape {
   double lowest(const Plan& plan) const override;
   double lowest_on_slope(const Plan& plan, const std::array<double, 2>& slope) const override;
   std::array<bool, 2> symmetric(const Plan& plan) const override;
-  /// Reach of the undeformed skin into the map [m].
+  /// Largest distance from the centre, along `direction`, at which the undeformed skin overlaps the
+  /// height map at this indentation [m]; infinity under a force.
   double border(const Plan& plan, const Pressing& pressing, std::size_t direction) const override;
   std::vector<Misfit> misfits(const Plan& plan) const override;
 };

@@ -14,7 +14,7 @@ double arc_height(double radius, double distance) {
     return unreachable_gap;
   }
   const double ratio = distance / radius;
-  // Fused, so that it rounds alike with every instruction set.
+  // std::fma rounds identically with every instruction set.
   return radius * ratio * ratio / (1 + std::sqrt(std::fma(-ratio, ratio, 1.0)));
 }
 

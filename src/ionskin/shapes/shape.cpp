@@ -32,8 +32,8 @@ template <class Kind> ShapeRow row(std::string_view name) {
           .with = shape_with<Kind>};
 }
 
-/// Places of the least value of a function in a rectangle are sought on a grid, then on finer ones
-/// around the best.
+/// Intervals of the search grid of `Shape::lowest_on_slope` along x and y, and number of finer
+/// grids around the best point so far.
 constexpr int grid_intervals = 64, finer_grids = 6;
 
 } // namespace
@@ -42,7 +42,7 @@ double Shape::lowest_on_slope(const Plan& plan, const std::array<double, 2>& slo
   std::array<double, 2> low{-plan.size[0] / 2, -plan.size[1] / 2},
       high{plan.size[0] / 2, plan.size[1] / 2};
   double least = std::numeric_limits<double>::infinity();
-  std::array<double, 2> best = low; // a finer grid need not have a better one
+  std::array<double, 2> best = low; // kept if a finer grid has no better point
   for (int grid = 0; grid <= finer_grids; ++grid) {
     const std::array<double, 2> step{(high[0] - low[0]) / grid_intervals,
                                      (high[1] - low[1]) / grid_intervals};

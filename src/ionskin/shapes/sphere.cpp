@@ -15,7 +15,7 @@ double Sphere::border(const Plan&, const Pressing& pressing, std::size_t) const 
                   std::cbrt(0.75 * pressing.force * radius / pressing.plane_modulus));
 }
 
-/// Contact stays far from the corners of its plan.
+/// True for the whole plan, although it is a square: no contact reaches its corners.
 bool Sphere::turns_into_itself(const Plan& plan) const {
   return plan.size == std::array<double, 2>{2 * radius, 2 * radius};
 }

@@ -5,7 +5,7 @@
 
 namespace ionskin::shapes {
 
-/// A ball, of which the plan may be a part.
+/// A sphere, or the part of it that the plan cuts out around its lowest point.
 struct Sphere final : Shape {
   double radius = 0; ///< [m]
 
@@ -15,7 +15,8 @@ struct Sphere final : Shape {
     return std::array{laws::OwnParameter<Sphere>{body_radius, &Sphere::radius}};
   }
   double height(const Plan& plan, double x, double y) const override;
-  /// Bounded as `line_contact` is, by the radius of the contact of a sphere.
+  /// Upper bound of the radius of the contact [m]: that of Hertz on a half-space under a force, or
+  /// that on a thin bonded incompressible layer under an indentation, whichever is larger.
   double border(const Plan& plan, const Pressing& pressing, std::size_t direction) const override;
   bool turns_into_itself(const Plan& plan) const override;
   std::optional<std::array<double, 2>> whole_plan() const override;

@@ -6,7 +6,7 @@
 
 namespace ionskin::units {
 
-/// The physical dimensions that keys of a case can have.
+/// Physical dimension of a value of a case file; `number` is dimensionless.
 enum class Dimension {
   number,
   length,
@@ -36,23 +36,25 @@ enum class Dimension {
   surface_energy
 };
 
-/// Name and SI unit of a dimension, for messages and pages.
+/// Name and units of a dimension, for error messages and the reference of the keys.
 struct DimensionInfo {
-  std::string name;                  ///< with its article: "a length"
-  std::string si_unit;               ///< in udunits spelling; "1" for a number
-  std::vector<std::string> examples; ///< usual units, the first one for messages
+  std::string name;    ///< with its article: "a length"
+  std::string si_unit; ///< SI unit in the spelling of udunits2; "1" for a number
+  /// Usual units, the first of which is the example in messages; empty for dimensions of no key.
+  std::vector<std::string> examples;
 };
 
-/// Information on a dimension.
+/// Looks up the name and units of a dimension.
 const DimensionInfo& dimension_info(Dimension dimension);
 
-/// Usual units of all dimensions, to suggest from.
+/// Usual units of all dimensions of keys, as candidates for a misspelt unit.
 std::vector<std::string> usual_units();
 
-/// Dimensions that have a name in messages though no key has them.
+/// Further dimensions that no key has, such as an energy. Messages need their names to say what a
+/// wrong unit measures.
 const std::vector<DimensionInfo>& other_dimensions();
 
-/// All dimensions of keys.
+/// All values of `Dimension`.
 const std::vector<Dimension>& all_dimensions();
 
 } // namespace ionskin::units

@@ -27,7 +27,7 @@ struct NumberAndUnit {
   std::string unit;
 };
 
-// More than any number with its unit needs.
+// Limit on the length of a quantity [bytes], more than any number with its unit needs.
 constexpr std::size_t longest_quantity = 128;
 
 NumberAndUnit split(std::string_view text, Dimension expected) {
@@ -56,7 +56,7 @@ NumberAndUnit split(std::string_view text, Dimension expected) {
   return result;
 }
 
-/// True of units of angles, which are pure numbers to udunits2.
+/// True if a unit is probably one of angles, which udunits2 does not distinguish from pure numbers.
 bool is_angle(const std::string& unit) {
   for (const char* part : {"rad", "deg", "arc", "°"})
     if (unit.find(part) != std::string::npos)

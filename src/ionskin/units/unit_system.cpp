@@ -23,8 +23,9 @@ namespace {
 using Unit = std::unique_ptr<ut_unit, decltype(&ut_free)>;
 using Converter = std::unique_ptr<cv_converter, decltype(&cv_free)>;
 
-/// udunits2 keeps its parser and its status in globals, and reads numbers as the locale of the
-/// thread writes them: a host with decimal commas would have its database read wrongly.
+/// Guard around calls of udunits2: locks a mutex and sets the "C" locale for the thread. udunits2
+/// keeps its parser and its status in globals, and would misread its database in a locale with
+/// decimal commas.
 class LibraryUse {
 public:
   LibraryUse() : lock_(mutex()), before_(uselocale(c_locale())) {}
@@ -46,7 +47,7 @@ private:
   locale_t before_;
 };
 
-// udunits2 knows whole powers only, so the unit of noise densities is one of its own.
+// Name of a base unit for the root of hertz, in noise densities: udunits2 knows only whole powers.
 constexpr const char* root_hertz = "roothertz";
 
 void add_root_hertz(ut_system* system) {
@@ -65,7 +66,7 @@ std::string with_root_hertz(const std::string& unit) {
 
 ut_system* unit_system() {
   static std::unique_ptr<ut_system, decltype(&ut_free_system)> system(nullptr, &ut_free_system);
-  if (!system) { // tried again where it failed: the host may have set the path meanwhile
+  if (!system) { // retried after a failure: the host may have set the path since
     ut_set_error_message_handler(ut_ignore);
     system.reset(ut_read_xml(nullptr));
     if (system)
@@ -81,7 +82,8 @@ ut_system* unit_system() {
 
 constexpr std::string_view letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz_";
 constexpr std::string_view digits = "0123456789", blanks = " \t\n\v\f\r";
-// More than any unit needs, and little for the parser of udunits2.
+// Limit on the length of a unit [bytes], more than any unit needs and little for the parser of
+// udunits2.
 constexpr std::size_t longest_unit = 64;
 
 bool is_word_letter(char letter) {
@@ -125,8 +127,8 @@ bool has_forbidden_word(const std::string& unit) {
   return false;
 }
 
-/// True if a number stands in the unit that is not an exponent. udunits2 multiplies by it: "1 3 mm"
-/// and "1 mm 3" would be 3 mm. The 1 of "1/s" may stand.
+/// True if a unit contains a number that is not an exponent, except for the 1 of "1/s". udunits2
+/// would multiply by the number: "1 3 mm" and "1 mm 3" would be 3 mm.
 bool has_factor(const std::string& unit) {
   const auto is_digit = [](char letter) { return digits.find(letter) != std::string_view::npos; };
   const auto takes_exponent = [](char letter) {
@@ -148,14 +150,16 @@ bool has_factor(const std::string& unit) {
   return false;
 }
 
-/// "5 % %" and "5 % m/m" are mistakes: a percent sign stands alone.
+/// True if a percent sign is combined with anything else, as in "5 % %" or "5 % m/m", which is a
+/// mistake.
 bool has_mixed_percent(const std::string& unit) {
   const std::string clean = base::trimmed(unit);
   return clean != "%" && clean != "percent" &&
          (clean.find('%') != clean.npos || clean.find("percent") != clean.npos);
 }
 
-// Words of udunits2 that shift the origin or take logarithms make no sense in a case file.
+// True if a text can be passed to udunits2 as a unit. Refused are numbers other than exponents, and
+// words of udunits2 that shift the origin or take logarithms.
 bool is_plain_unit(const std::string& unit) {
   if (unit == "1")
     return true;
@@ -183,7 +187,7 @@ Converter make_converter(const std::string& unit, const std::string& si_unit) {
   return {ut_get_converter(from.get(), to.get()), &cv_free};
 }
 
-// The rows of a file have the same few units; those of hostile texts are not kept.
+// Largest number of cached converters. Files use few units; the cache is cleared when it is full.
 constexpr std::size_t most_converters = 256;
 
 } // namespace

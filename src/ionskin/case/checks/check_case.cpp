@@ -112,7 +112,7 @@ void check_instants(const CaseDocument& document, Problems& problems) {
 void check_strain_file(const CaseDocument& document, Problems& problems) {
   const std::string& file = document.input.strain.file;
   std::error_code ignored;
-  // Opening a pipe would wait for its writer.
+  // Only regular files are opened, because opening a pipe would wait for its writer.
   if (!std::filesystem::is_regular_file(file, ignored) || !std::ifstream(file))
     problems.add(
         fmt::format("the strain file {} cannot be read", base::shown(file)),

@@ -5,9 +5,10 @@
 
 namespace ionskin {
 
-/// Checks between the keys of a case whose single values are in range: the stack of layers, the
-/// slider's shape and whole track, preload, instants within the run, the strain file's existence.
-/// Throws UserError with all mistakes: what, the places of all keys involved, remedy.
+/// Checks the keys of a case against one another: layers, laws, readout, slider and its path,
+/// preload, instants within the run; and that a strain file exists. Each value by itself must
+/// already be in range. Throws UserError with all mistakes, each with the positions of the keys
+/// involved and a remedy.
 void check_case(const CaseDocument& document);
 
 } // namespace ionskin

@@ -29,7 +29,7 @@ void check_crossbar(const CaseDocument& document, Problems& problems) {
   const auto holds = [](const std::string& circuit) {
     return circuits::circuit_row(circuit).holds_potential;
   };
-  // A scan that reads the only row reads it all the time.
+  // With a single row the scan never leaves it, so that no other rows are grounded.
   const bool others_are_held =
       readout.scan.dwell > 0 && readout.scan.grounds_others && readout.taxel_grid.rows > 1;
   if (!holds(readout.circuit_of(0)) && !holds(readout.row_circuit) && !others_are_held)

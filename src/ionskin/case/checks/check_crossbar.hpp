@@ -8,11 +8,13 @@
 
 namespace ionskin {
 
-/// Checks what joins the lines of a crossbar (readout.taxels.wiring) to the ground.
+/// Checks the circuits that connect the lines of a crossbar (readout.taxels.wiring) to the ground,
+/// and keys that a crossbar excludes.
+/// @param problems collects mistakes
 void check_crossbar(const CaseDocument& document, Problems& problems);
 
-/// Notes on a crossbar whose reading tells no crossings apart, for a reader of the results; one
-/// sentence or more each.
+/// Notes for `Case::notes` on a crossbar whose readout cannot distinguish the crossings of a
+/// column; empty if there is nothing to note.
 std::vector<std::string> notes_on_crossbar(const CaseDocument& document);
 
 } // namespace ionskin

@@ -17,13 +17,13 @@ bool is_given(const CaseDocument& document, const std::string& key) {
   return record != nullptr && record->place.has_value();
 }
 
-/// True if friction is smaller while sliding than at rest.
+/// True if the friction law gives less friction at high speed than at rest.
 bool weakens(const Contact& contact) {
   const auto parameters = laws::friction_law(contact.law).parameters;
   if (!std::ranges::all_of(parameters, [&](const laws::LawParameter& own) {
         return contact.parameters.contains(own.name);
       })) {
-    return false; // and said to be missing
+    return false; // `complete` reports missing parameters
   }
   constexpr double pressure = 1, fast = 1e9; // [Pa], [m/s]
   const laws::Friction friction = laws::friction(contact.law, contact.friction, contact.parameters);
@@ -53,7 +53,7 @@ void check_drive(const CaseDocument& document, Problems& problems) {
         document.point_at("motion.drive.stiffness"),
         "give motion.drive.mass or motion.drive.damping, or raise contact.kinetic_friction to "
         "contact.friction");
-  // Sticking and slipping may go on at the pace of the natural period.
+  // Stick-slip may repeat as often as once in each natural period.
   constexpr double most_periods = 1e5;
   const double periods =
       drive.mass > 0 ? input.motion.cycle_duration() / drive.natural_period() : 0;

@@ -6,7 +6,10 @@
 
 namespace ionskin {
 
-/// Checks that a slider on a drive has one motion under its friction law. Needs a sound motion.
+/// Checks the keys of the drive, and that the motion of a slider on a drive is unique under its
+/// friction law: if friction falls with speed, the drive needs a mass or a damper.
+/// @param document a case that `check_motion` accepts
+/// @param problems collects mistakes
 void check_drive(const CaseDocument& document, Problems& problems);
 
 } // namespace ionskin

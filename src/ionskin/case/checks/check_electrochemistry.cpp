@@ -30,8 +30,8 @@ void check_thin_layers(const CaseDocument& document, Problems& problems) {
                  "set output.fields = [], or ion_model = \"dilute\"");
 }
 
-/// Largest share of the core that both interfaces may take: 16 Debye lengths, of which the solver
-/// gives each wall 8.
+/// Thickness of both interfaces together in Debye lengths, 8 at each wall as in the solver, and
+/// their largest share of the thickness of the core.
 constexpr double interface_lengths = 16, interface_share = 0.01;
 
 void check_interface(const CaseDocument& document, Problems& problems) {

@@ -47,13 +47,13 @@ void check_laws(const CaseDocument& document, Problems& problems) {
 void check_friction_of_speed(const CaseDocument& document, Problems& problems) {
   const Case& input = document.input;
   const laws::FrictionLaw& row = laws::friction_law(input.contact.law);
-  if (!is_complete(row, input.contact.parameters)) // and said to be missing
+  if (!is_complete(row, input.contact.parameters)) // `complete` reports missing parameters
     return;
   double fastest = 0;
   for (const MotionLeg& leg : motion_legs(input.motion, input.slider))
     if (leg.slides() && leg.duration > 0)
       fastest = std::max(fastest, leg.length() / leg.duration);
-  constexpr double pressure = 1; // Pa; the coefficient of friction is the limit over it
+  constexpr double pressure = 1; // [Pa]; friction coefficient = limit / pressure
   const laws::Friction friction =
       laws::friction(input.contact.law, input.contact.friction, input.contact.parameters);
   const double coefficient = friction.limit({pressure, fastest, 1, fastest}) / pressure;

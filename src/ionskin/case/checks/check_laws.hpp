@@ -6,13 +6,20 @@
 
 namespace ionskin {
 
-/// Parameters that are given to a law without them.
+/// Refuses parameters of the sections [contact] and [coupling] that the chosen law does not have.
+/// @param problems collects mistakes
 void check_laws(const CaseDocument& document, Problems& problems);
 
-/// Friction of the fastest slide, where it depends on speed. Needs a sound motion.
+/// Checks that the coefficient of friction at the fastest slide is not above the largest that is
+/// allowed.
+/// @param document a case that `check_motion` accepts
+/// @param problems collects mistakes
 void check_friction_of_speed(const CaseDocument& document, Problems& problems);
 
-/// Checks what adhesion cannot be combined with, and how far it reaches. Needs a sound motion.
+/// Checks an adhesive law: no slider on a drive, and a range of adhesion below the thickness of the
+/// skin. Does nothing under other laws.
+/// @param document a case that `check_motion` accepts
+/// @param problems collects mistakes
 void check_adhesion(const CaseDocument& document, Problems& problems);
 
 } // namespace ionskin

@@ -14,7 +14,7 @@ std::vector<Pointer> resistance_of(const CaseDocument& document, std::size_t lay
   return document.point_at(fmt::format("skin.layers[{}].sheet_resistance", layer));
 }
 
-/// All that are above 0.
+/// Positions of all sheet resistances above 0.
 std::vector<Pointer> resistances(const CaseDocument& document) {
   std::vector<Pointer> all;
   const std::vector<Layer>& layers = document.input.skin.layers;

@@ -26,7 +26,7 @@ bool same_position(const Waypoint& a, const Waypoint& b) {
   return a.position == b.position;
 }
 
-/// Checks the path waypoint by waypoint.
+/// Checks a path through waypoints, one waypoint after another.
 class WaypointCheck {
 public:
   WaypointCheck(const CaseDocument& document, Problems& problems)
@@ -42,7 +42,7 @@ public:
           "ionskin init FILE --from waypoints writes a case with a path");
       return false;
     }
-    constexpr std::size_t most_told = 10; // each reads the file's line again
+    constexpr std::size_t most_told = 10; // each message reads the whole file for its line
     for (std::size_t i = 0, told = 0; i < waypoints.size() && told < most_told; ++i) {
       const bool was_sound = std::exchange(sound_, true);
       check_one(i);
@@ -68,7 +68,8 @@ private:
     sound_ = false;
   }
 
-  /// Adds a problem whose remedy names, for a waypoint of a file, what makes a path of a recording.
+  /// Adds a mistake of a waypoint. For waypoints from a file, which may be an unprepared recording,
+  /// the remedy also names the command that makes a path of a recording.
   void add_of_recording(std::size_t i, const std::string& message, const std::string& remedy) {
     add(message, point_at_waypoint(document_, i),
         motion_.file.empty() ? remedy
@@ -76,7 +77,8 @@ private:
                                         "path.csv makes a path of it");
   }
 
-  /// Waypoints of a case are checked as they are read, those of a file here.
+  /// Checks a value of a waypoint against the range of its key. Needed for waypoints from a file;
+  /// those in the case are checked when they are read.
   void check_range(std::size_t i, const std::string& name, double value) {
     const SchemaRow& row = *find_row("motion.waypoints[]." + name);
     if (!row.range.contains(value))
@@ -109,7 +111,7 @@ private:
           fmt::format("waypoint {} has {}", i + 1,
                       waypoint.force ? "both a height and a force" : "neither height nor force"),
           "give it one of the two");
-    constexpr double least_force = 1e-9; // N
+    constexpr double least_force = 1e-9; // [N]
     if (waypoint.force && *waypoint.force > 0 && *waypoint.force < least_force)
       add(fmt::format("waypoint {}: force = {:.6g} N is out of range", i + 1, *waypoint.force),
           point_at_waypoint(document_, i), "it must be at least 1e-09 N");
@@ -186,7 +188,7 @@ std::string kind_name(MotionKind kind) {
   return "waypoints";
 }
 
-/// A key of another kind would be taken for one that matters.
+/// Refuses keys that have no effect on this kind of motion: the user would expect one.
 void check_kind(const CaseDocument& document, Problems& problems) {
   for (const SchemaRow& row : schema()) {
     const bool of_motion = row.key.starts_with("motion.") || row.key == "slider.start";
@@ -213,7 +215,7 @@ std::vector<Pointer> point_at_waypoint(const CaseDocument& document, std::size_t
   const std::size_t line = motion.waypoints[index].line;
   if (line == 0)
     return document.point_at(fmt::format("motion.waypoints[{}].time", index), note);
-  // A few of the same file's lines are asked for, each in a message.
+  // Reading the whole file again for each message is acceptable: there are only a few messages.
   const std::string text = csv_line(base::read_text_file(motion.file, "waypoint"), line);
   return {{{motion.file, line, 1, text.size(), text}, note}};
 }

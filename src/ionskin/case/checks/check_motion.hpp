@@ -6,12 +6,15 @@
 namespace ionskin {
 
 /// Checks that the keys of the motion belong to its kind, and that waypoints make a path: at least
-/// two, from 0 s on and ascending in time, each with either a height or a force, detached at the
-/// beginning, closed when there are several cycles, inside the skin.
-/// @return whether the motion makes sense, so that others may look at its legs
+/// two, from 0 s on and ascending in time, each with either a height or a force, above the rigid
+/// base, detached at the start, and closed if there are several cycles.
+/// @param problems collects mistakes
+/// @return true if the motion has valid legs, which other checks need
 bool check_motion(const CaseDocument& document, Problems& problems);
 
-/// Where a waypoint stands in its case or file, with a note.
+/// Finds the position of a waypoint in the case or in its waypoint file, for an error message.
+/// @param index of the waypoint, from 0
+/// @param note printed at the position
 std::vector<Pointer> point_at_waypoint(const CaseDocument& document, std::size_t index,
                                        const std::string& note = "");
 

@@ -16,7 +16,8 @@ namespace {
 
 constexpr std::array<const char*, 3> angles{"roll", "pitch", "yaw"};
 
-/// Angles as the case writes them, those of waypoints where these change them.
+/// Positions of the angles in the case: those of the slider and of its first waypoints with angles,
+/// or else of the key motion.file.
 std::vector<Pointer> angle_places(const CaseDocument& document) {
   std::vector<Pointer> all;
   const auto append = [&](const std::string& key) {
@@ -48,7 +49,8 @@ void refuse_changes(const CaseDocument& document, Problems& problems) {
         "give all waypoints the same angles, or choose another contact.law");
 }
 
-/// Refuses what pulls the skin across between planes of symmetry, which would hold it.
+/// Refuses a roll or a yaw between symmetry planes. The slider would pull the skin along y, which
+/// the planes (u_y = 0) prevent.
 void refuse_between_planes(const CaseDocument& document, Problems& problems) {
   const Case& input = document.input;
   Slider upright = input.slider;

@@ -7,10 +7,12 @@
 
 namespace ionskin {
 
-/// Remedy of a tilt that is too large.
+/// Text of the remedy for a slider that is tilted too far.
 std::string remedy_of_tilt();
 
-/// Checks the angles of the slider, and refuses them where they are not carried.
+/// Checks that the tilt of the slider is small, and refuses angles that the model does not support:
+/// changing angles with a drive or with adhesion, and roll or yaw between symmetry planes.
+/// @param problems collects mistakes
 void check_pose(const CaseDocument& document, Problems& problems);
 
 } // namespace ionskin

@@ -15,14 +15,15 @@ namespace ionskin {
 
 namespace {
 
-/// Bends to a smaller radius than this many thicknesses do not make a small strain: half a
-/// thickness over the radius is the strain of the core's faces.
+/// Smallest radius of a bend over the thickness of the core. The strain of the core's faces, half
+/// the thickness over the radius, must be small.
 constexpr double least_radius = 1.0;
 
-/// Largest compression, as a share of the thickness of the core.
+/// Largest prescribed compression over the thickness of the core.
 constexpr double largest_compression = 0.1;
 
-/// A sine has 64 samples a period, of which each takes a time step or more.
+/// Largest number of periods of a sinusoidal load: each has 64 samples, which take at least one
+/// time step each.
 constexpr double most_periods = 1000;
 
 std::vector<Pointer> places(const CaseDocument& document, std::initializer_list<const char*> keys) {
@@ -82,7 +83,7 @@ void check_load(const CaseDocument& document, Problems& problems) {
                              1 / (least_radius * thickness)));
 }
 
-/// A key of one waveform: given with it, and with no other.
+/// Checks that a key of one waveform is given with this waveform and with no other.
 void check_key(const CaseDocument& document, const char* key, double value, LoadWaveform waveform,
                const char* name, Problems& problems) {
   const bool used = document.input.strain.waveform == waveform;

@@ -6,12 +6,15 @@
 
 namespace ionskin {
 
-/// Keys of a prescribed load beside another strain.source, and laws that it cannot drive. Needs no
-/// material, so that it is reported with all that is missing.
+/// Refuses keys of a prescribed load with another strain.source, and coupling laws that a
+/// prescribed load cannot drive. Needs no material, so that it can run before missing keys are
+/// reported.
+/// @param problems collects mistakes
 void check_prescribed_keys(const CaseDocument& document, Problems& problems);
 
-/// Checks the needs of strain.source = "prescribed": one load, and the keys of its waveform and no
-/// others.
+/// Checks a case with strain.source = "prescribed": one load, or water under pressure outside;
+/// small enough; and the keys of its waveform and of no other.
+/// @param problems collects mistakes
 void check_prescribed_load(const CaseDocument& document, Problems& problems);
 
 } // namespace ionskin

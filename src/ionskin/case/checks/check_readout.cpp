@@ -17,7 +17,7 @@ namespace ionskin {
 
 namespace {
 
-/// Name of what no taxel covers.
+/// Name, in output, of the part of the electrode that no taxel covers; no taxel may have it.
 constexpr const char* rest_name = "rest";
 
 std::string taxel_key(std::size_t taxel, const std::string& property) {
@@ -70,7 +70,7 @@ bool overlap(const Taxel& first, const Taxel& second) {
   return true;
 }
 
-/// The first of all pairs of taxels that conflict, and how many more do.
+/// The first pair of taxels that conflict, and the number of all such pairs.
 struct Conflicts {
   std::size_t first = 0, second = 0, count = 0;
 
@@ -106,12 +106,12 @@ void check_pairs(const CaseDocument& document, Problems& problems) {
                  "move their corners apart: charge belongs to one taxel only");
 }
 
-/// A key of circuits that were not chosen, with the names of those that have it.
+/// A given key that no chosen circuit uses, and the names of the circuits that have it.
 struct IdleKey {
   std::string key, circuits;
 };
 
-/// True if the circuit of the electrode, or one of a taxel, has the parameter.
+/// True if the circuit of the electrode, of crossbar rows or of any taxel has the parameter.
 bool is_used(const Readout& readout, std::string_view parameter) {
   const auto table = circuits::circuits();
   bool used = laws::has_parameter(table, readout.circuit, parameter) ||
@@ -121,7 +121,7 @@ bool is_used(const Readout& readout, std::string_view parameter) {
   return used;
 }
 
-/// Keys of circuits that are given and not used.
+/// Finds the given keys that no chosen circuit uses.
 std::vector<IdleKey> idle_keys(const CaseDocument& document) {
   const auto table = circuits::circuits();
   std::vector<IdleKey> idle;
@@ -141,12 +141,13 @@ bool names_circuit(const CaseDocument& document) {
          !document.point_at("readout.taxel_circuit").empty() || document.input.readout.is_cut();
 }
 
-/// Most conductors of the top face, whose potentials are a dense system, and least size of one over
-/// that of the skin: the transport grid has columns that fit it along the whole skin.
+/// Largest number of conductors on the top face, whose potentials are a dense system of equations;
+/// and smallest size of a conductor over the size of the skin, because the transport grid has
+/// lateral columns of this size along the whole skin.
 constexpr std::size_t most_conductors = 400;
 constexpr double least_conductor = 0.01;
 
-/// Parameters of a taxel's own must be of its circuit.
+/// Checks that the parameters that a taxel gives belong to a circuit of its own.
 void check_parameters(const CaseDocument& document, std::size_t index, Problems& problems) {
   const Readout& readout = document.input.readout;
   const auto table = circuits::circuits();
@@ -176,7 +177,7 @@ void check_size(const CaseDocument& document, std::size_t index, Problems& probl
   }
 }
 
-/// Checks taxels that are conductors of their own.
+/// Checks taxels that are conductors of their own, with circuits of their own.
 void check_conductors(const CaseDocument& document, Problems& problems) {
   const Readout& readout = document.input.readout;
   std::size_t count = 0;
@@ -218,7 +219,8 @@ void check_conductors(const CaseDocument& document, Problems& problems) {
               "\"shared\"");
 }
 
-/// A key of a circuit beside no word of a circuit is one that the user forgot to name.
+/// Refuses keys of circuits in a case that names no circuit: the user probably forgot to name it.
+/// If the case names one, such keys are only noted (`notes_on_readout`).
 void check_circuit(const CaseDocument& document, Problems& problems) {
   if (names_circuit(document))
     return;

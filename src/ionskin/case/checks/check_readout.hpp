@@ -8,11 +8,12 @@
 
 namespace ionskin {
 
-/// Checks the keys of [readout] against one another and against the skin.
+/// Checks the keys of [readout] against one another and against the skin: circuits, taxels, scan.
+/// @param problems collects mistakes
 void check_readout(const CaseDocument& document, Problems& problems);
 
-/// Notes on [readout] as it is written, for a reader of the results: keys that the circuit does not
-/// use, and taxels that share a circuit. One sentence or more each.
+/// Notes for `Case::notes` on [readout]: keys that no circuit uses, and taxels that share one
+/// circuit. Empty if there is nothing to note.
 std::vector<std::string> notes_on_readout(const CaseDocument& document);
 
 } // namespace ionskin

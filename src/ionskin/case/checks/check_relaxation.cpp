@@ -14,10 +14,10 @@ namespace ionskin {
 
 namespace {
 
-/// Each is a decay of every mode of the water.
+/// Largest number of relaxation times. Each adds a decay to every mode of the water potential.
 constexpr std::size_t most_times = 20;
 
-/// The keys of a material's Prony series and what stands in them.
+/// The keys of a material's Prony series, and their records if they are given.
 struct Series {
   Series(const CaseDocument& of_case, const std::string& name)
       : document(of_case), material(name),
@@ -62,7 +62,7 @@ void check_numbers(const Series& series, Problems& problems) {
                  "together they must be below 1: what is left is the modulus after all times");
 }
 
-/// Refuses relaxation where only elastic materials are solved.
+/// Refuses relaxation where the model is elastic.
 void check_place(const Series& series, LayerRole role, Problems& problems) {
   const Case& input = series.document.input;
   const auto refuse = [&](const std::string& why, const std::string& remedy) {

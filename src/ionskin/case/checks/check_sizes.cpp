@@ -12,10 +12,11 @@ namespace ionskin {
 
 namespace {
 
-/// Largest number of rows of sampled.csv: 0.2 GB on disk, several columns of doubles in memory.
+/// Largest number of rows of sampled.csv. They take 0.2 GB on disk, and several columns of doubles
+/// in memory.
 constexpr double most_readings = 2e6;
 constexpr std::size_t most_fields = 10'000;
-/// Legs of all cycles: the history has some fifty samples in each.
+/// Largest number of legs in all cycles. The strain history has about fifty samples in each leg.
 constexpr double most_legs = 2e5;
 
 std::string too_many_readings(const Readout& readout, double duration) {

@@ -5,16 +5,18 @@
 
 namespace ionskin {
 
-/// Most instants of a run at which a scan goes to the next row.
+/// Largest number of times in a run at which a scan switches to the next row.
 inline constexpr double most_scan_switches = 20'000;
 
-/// Checks the counts of a case: readings, instants of fields, legs of the motion. Each is held in
-/// memory and written to disk.
+/// Checks that a case does not exceed memory and disk: numbers of samples, instants of fields, legs
+/// of the motion, and switches of a scan.
+/// @param problems collects mistakes
 void check_sizes(const CaseDocument& document, Problems& problems);
 
-/// Refuses a sampling interval that makes too many readings over a duration [s], or none. For
-/// strains from a file, whose duration is not known before.
-/// Throws UserError.
+/// Checks the number of samples of a run with a strain file, whose duration is known only when the
+/// file is read.
+/// @param duration of the run [s]
+/// Throws UserError when the sampling interval is too short for this duration.
 void require_sampling(const Readout& readout, double duration);
 
 } // namespace ionskin

@@ -18,7 +18,7 @@ std::vector<Pointer> places(const CaseDocument& document, const std::vector<std:
   return all;
 }
 
-/// Keys that only other shapes have; 0 stands for none.
+/// Refuses keys that only other shapes have. A parameter of 0 counts as not given.
 void check_foreign_keys(const CaseDocument& document, Problems& problems) {
   const Slider& slider = document.input.slider;
   const auto table = shapes::shapes();
@@ -55,7 +55,7 @@ void check_softness(const CaseDocument& document, Problems& problems) {
   }
 }
 
-/// Plan of a slider of this shape that is not cut; its own where the shape has none.
+/// Size of the whole body if the shape has one, else the size of the slider's own plan [m].
 std::array<double, 2> whole_size(Slider slider) {
   const std::array<double, 2> own = slider.size;
   slider.size = {};

@@ -5,12 +5,14 @@
 
 namespace ionskin {
 
-/// Checks that the keys of the slider go together: keys that its shape does not have, and what the
-/// shape itself finds, such as a plan larger than the round body or the height map.
+/// Checks the keys of the slider: keys that its shape does not have, softness, pose, and the
+/// conflicts that the shape itself reports, such as a plan larger than the round body or the height
+/// map.
+/// @param problems collects mistakes
 void check_slider(const CaseDocument& document, Problems& problems);
 
-/// Notes on a slider that passes the checks: a shape that was changed by an edit and keeps the plan
-/// of the one in the file.
+/// Notes for `Case::notes` on a slider whose shape a `--set` edit changed while its plan is still
+/// that of the case file. Empty if there is nothing to note.
 std::vector<std::string> notes_on_slider(const CaseDocument& document);
 
 } // namespace ionskin

@@ -34,7 +34,7 @@ std::vector<Pointer> places(const CaseDocument& document, const Axis& axis, bool
   return all;
 }
 
-// Allowed centres at the start, for the remedy.
+// Text of the remedy: the centres at the start that keep the slider inside the skin.
 std::string remedy(const Axis& axis, double half_size, double travel) {
   const double lowest = half_size + std::max(0.0, -travel);
   const double highest = axis.extent - half_size - std::max(0.0, travel);

@@ -5,9 +5,11 @@
 
 namespace ionskin {
 
-/// The part of the slider that touches at once (all of a flat one, the lowest line or point of a
-/// round one) must stay inside the skin at both ends of its track (and so between them); where it
-/// covers the whole width between symmetry planes, only along x.
+/// Checks that the part of the slider that touches at once (the whole plan of a flat slider, the
+/// lowest line or point of a round one) lies inside the skin at both ends of its path, or at every
+/// waypoint, and so in between. A slider that covers the whole width between symmetry planes is
+/// checked only along x. Also refuses a motion.direction of zero length.
+/// @param problems collects mistakes
 void check_track(const CaseDocument& document, Problems& problems);
 
 } // namespace ionskin

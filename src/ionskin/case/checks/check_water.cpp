@@ -16,10 +16,10 @@ namespace ionskin {
 
 namespace {
 
-/// Largest relative difference between two figures for the same quantity.
+/// Largest relative difference between two values that are given for the same quantity.
 constexpr double agreement = 0.01;
 
-/// Places of the keys that the user gave.
+/// Positions of those of the keys that the case gives.
 std::vector<Pointer> given(const CaseDocument& document, std::initializer_list<const char*> keys) {
   std::vector<Pointer> places;
   for (const char* key : keys)
@@ -28,7 +28,7 @@ std::vector<Pointer> given(const CaseDocument& document, std::initializer_list<c
   return places;
 }
 
-/// Keys without a meaning under the law of the case.
+/// Refuses keys that have no effect under the coupling law of the case.
 void check_belonging(const CaseDocument& document, Problems& problems) {
   if (moves_water(document.input)) {
     for (const char* key : {"coupling.coefficient", "coupling.measure"})
@@ -48,7 +48,7 @@ void check_belonging(const CaseDocument& document, Problems& problems) {
                    "set coupling.law = \"poroelastic\", or remove the section [water]");
 }
 
-/// Exactly one key tells the drained stiffness.
+/// Checks that exactly one key gives the drained stiffness.
 void check_drained_keys(const CaseDocument& document, Problems& problems) {
   const Water& water = document.input.water;
   const bool ratio = water.drained_poissons_ratio > 0, modulus = water.drained_modulus > 0;
@@ -62,7 +62,7 @@ void check_drained_keys(const CaseDocument& document, Problems& problems) {
                        "water.drained_modulus, an oedometric modulus");
 }
 
-/// One key at least tells how fast water moves.
+/// Checks that at least one key gives the hydraulic mobility.
 void check_mobility_keys(const CaseDocument& document, Problems& problems) {
   const Water& water = document.input.water;
   if (water.permeability == 0 && water.mobility == 0 && water.consolidation_coefficient == 0)
@@ -71,7 +71,8 @@ void check_mobility_keys(const CaseDocument& document, Problems& problems) {
                  "give water.permeability, water.mobility or water.consolidation_coefficient");
 }
 
-/// Without any key of [water] its section is missing, which is reported with all its keys.
+/// True if the case gives any key of [water]. If not, the missing section is reported with all its
+/// keys.
 bool has_water_section(const CaseDocument& document) {
   return std::ranges::any_of(document.records, [](const ValueRecord& record) {
     return record.key.starts_with("water.") && record.origin != ValueOrigin::default_value;
@@ -101,7 +102,7 @@ void check_drained_stiffness(const CaseDocument& document, Problems& problems) {
                     4.0 / 3.0 * shear / 1e6, (bulk + 4.0 / 3.0 * shear) / 1e6));
 }
 
-/// Mobility by each key that says something of it, which must be one figure.
+/// Checks that all keys that determine the hydraulic mobility give the same value.
 void check_mobility(const CaseDocument& document, Problems& problems) {
   const Water& water = document.input.water;
   const auto places =
@@ -149,8 +150,8 @@ void check_dilution(const CaseDocument& document, Problems& problems) {
         fmt::format("it must be at most {:.4g}", per_cation));
 }
 
-/// A wall's conductance belongs to a permeable one, a pressure outside to one that lets water
-/// through.
+/// Checks that a conductance is given only for a permeable wall, and a pressure outside only for an
+/// open or permeable wall.
 void check_wall(const CaseDocument& document, const std::string& side, WaterWall wall,
                 double conductance, double pressure, Problems& problems) {
   const std::string wall_key = "water." + side + "_wall";

@@ -21,7 +21,8 @@ bool is_idle(const SchemaRow& row, const Case& before, const Case& now) {
   return row.applies && !row.may_stand && row.applies(before) && !row.applies(now);
 }
 
-/// The value of a key such as "motion.waypoints[0].time"; none where a name in quotes has dots.
+/// Finds the value of a key such as "motion.waypoints[0].time"; nullptr if there is none, or if a
+/// quoted name contains dots.
 const toml::value* value_of(const TomlText& values, std::string_view key) {
   const toml::value* value = &values.root();
   while (!key.empty()) {
@@ -45,7 +46,7 @@ const toml::value* value_of(const TomlText& values, std::string_view key) {
   return value;
 }
 
-/// The span of "key = value", or of the header of a table.
+/// Finds the span of a statement "key = value", or of the header of a table.
 TextSpan statement(const TomlText& values, const toml::value& value) {
   const TextSpan key = values.key_span(value), own = values.span(value);
   return {key.begin, own.begin + own.length - key.begin};
@@ -56,7 +57,7 @@ std::size_t line_begin(const std::string& text, std::size_t position) {
   return before == std::string::npos ? 0 : before + 1;
 }
 
-/// True if nothing but a comment stands in the lines of a statement beside it.
+/// True if the lines of a statement contain nothing else but comments.
 bool has_lines_of_its_own(const std::string& text, const TextSpan& span) {
   const std::size_t begin = line_begin(text, span.begin), end = span.begin + span.length;
   const std::string behind =
@@ -65,7 +66,7 @@ bool has_lines_of_its_own(const std::string& text, const TextSpan& span) {
          (behind.empty() || behind.front() == '#');
 }
 
-/// Span of a statement in an inline table, with the comma that it needs no more.
+/// Extends the span of a statement in an inline table by the comma that must be removed with it.
 TextSpan with_comma(const std::string& text, TextSpan span) {
   const std::size_t behind =
       std::min(text.find_first_not_of(" \t", span.begin + span.length), text.size());
@@ -80,20 +81,20 @@ TextSpan with_comma(const std::string& text, TextSpan span) {
   return span;
 }
 
-/// Keeps the text as it was where it would be no TOML.
+/// Applies edits to a text, unless the result is not TOML: then the text stays as it is.
 void write(CaseText& text, TomlText& values, const std::vector<TextEdit>& edits) {
   CaseText trial = text;
   trial.edit(edits);
   try {
     values = TomlText(trial.text(), trial.file());
     text = std::move(trial);
-  } catch (const UserError&) { // the checks refuse the key
+  } catch (const UserError&) { // the key stays, and the checks refuse it
     return;
   }
 }
 
-/// Keys of the file that are idle, and what stands for them in the text: a list of tables, all rows
-/// of which are idle, is one name and the statements of every table.
+/// Keys of the file that have lost their effect: `names` for the user, and `statements`, the keys
+/// whose text is to be left out. A list of tables has one name, and the statements of every table.
 struct Idle {
   std::vector<std::string> names, statements;
 };
@@ -157,13 +158,15 @@ void leave_out(CaseText& text, TomlText& values, const std::vector<std::string>&
   }
 }
 
-/// True if an edit may set a choice: it does, or sets a table. Most edits set a number.
+/// True if an edit sets a key of type `choice` or a table, which may contain one. Most edits set
+/// numbers.
 bool may_choose(const std::string& edit) {
   const SchemaRow* row = find_row(key_pattern(base::trimmed(edit.substr(0, edit.find('=')))));
   return row == nullptr || row->type == ValueType::choice;
 }
 
-/// The choice of a record that an edit wrote, but for how finely a case is solved.
+/// True if a record is a choice that an edit set, except for those in [numerics], which say only
+/// how finely the case is solved.
 bool is_edited_choice(const ValueRecord& record) {
   const SchemaRow* row = find_row(key_pattern(record.key));
   return record.origin == ValueOrigin::set_edit && row != nullptr &&
@@ -177,7 +180,7 @@ std::optional<EditedChoices> fit_to_edited_choices(CaseText& text, TomlText& val
                                                    const std::vector<std::string>& set_edits) {
   if (std::ranges::none_of(set_edits, may_choose))
     return std::nullopt;
-  Problems ignored; // reported by the walk that reads the case
+  Problems ignored; // the walk that reads the case reports the same mistakes
   TomlWalk edited(text, values, ignored);
   edited.visit();
   EditedChoices found;

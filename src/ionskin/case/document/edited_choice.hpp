@@ -11,20 +11,22 @@
 
 namespace ionskin {
 
-/// Keys such as motion.kind that `--set` gives another choice. What had a meaning in the case
-/// without any edit may have none now, and the other way round.
+/// The choices, such as motion.kind, that `--set` edits change, and their consequences. Keys that
+/// have an effect in the case without edits may have none with them, and the other way round.
 struct EditedChoices {
-  std::string words;           ///< "motion.kind = \"waypoints\"", of all of them
-  std::vector<Pointer> places; ///< of their values
-  Case before;
-  std::vector<std::string> left_out; ///< keys of the file that have no meaning now
+  std::string words;                 ///< all edited choices: "motion.kind = \"waypoints\""
+  std::vector<Pointer> places;       ///< positions of their values
+  Case before;                       ///< the case without edits, unchecked
+  std::vector<std::string> left_out; ///< keys of the file that have no effect with the edits
 };
 
-/// Finds the choices among edits, and turns what stands in the file and has lost its meaning by
-/// them into comments; in an inline table it is removed. What edits set themselves stays, for the
-/// checks to refuse. Empty where no choice is edited.
-/// @param text, values with the edits; both are changed where something is left out
+/// Finds the edits that change a choice, and leaves out the keys of the file that lose their effect
+/// through them: comments out their lines, or removes them from an inline table. Keys that edits
+/// set stay, for the checks to refuse. Returns empty if no choice is edited.
+/// @param text text with the edits; changed if keys are left out
+/// @param values the parsed `text`; changed with it
 /// @param original the text without edits
+/// @param set_edits the edits, "key=value" each
 std::optional<EditedChoices> fit_to_edited_choices(CaseText& text, TomlText& values,
                                                    const std::string& original,
                                                    const std::vector<std::string>& set_edits);

@@ -27,7 +27,7 @@ public:
     std::string unit;
     while (std::optional<std::vector<std::string>> row = file_.next()) {
       std::vector<std::string>& fields = *row;
-      while (fields.back().empty()) // separators at the end begin no further field
+      while (fields.back().empty()) // ignore separators at the end of a line
         fields.pop_back();
       if (unit.empty()) {
         unit = fields.front();

@@ -30,14 +30,14 @@ std::string key_of(const std::string& material, const std::string& property) {
   return fmt::format("materials.{}.{}", material, property);
 }
 
-// Values of a preset that the case does not give itself.
+// Takes the values that the case does not give itself from the installed preset of a material.
 void complete_from_preset(const std::string& name, TomlWalk& walk, Problems& problems) {
   const fs::path file = materials_folder() / (name + ".toml");
   const CaseText text(file.string(), base::read_text_file(file.string(), "material preset"));
   const TomlText values(text.text(), text.file());
   TomlWalk preset(text, values, problems);
   preset.visit();
-  walk.draft.materials[name]; // known from now on, whatever the preset leaves out
+  walk.draft.materials[name]; // the name is known, even if the preset gives no value
   for (ValueRecord record : preset.records) {
     if (!record.key.starts_with(key_of(name, "")) || walk.seen[record.key])
       continue;
@@ -48,7 +48,7 @@ void complete_from_preset(const std::string& name, TomlWalk& walk, Problems& pro
   }
 }
 
-// True if the case has a key that stands in for this one.
+// True if the case gives this key or an alternative to it, one with the same purpose.
 bool is_told_otherwise(const SchemaRow& row, const TomlWalk& walk) {
   return !row.purpose.empty() && std::ranges::any_of(schema(), [&](const SchemaRow& other) {
     const auto seen = walk.seen.find(other.key);
@@ -56,7 +56,7 @@ bool is_told_otherwise(const SchemaRow& row, const TomlWalk& walk) {
   });
 }
 
-// Takes the ions from the material of the core where the case does not give them.
+// Takes properties of ions and water that the case does not give from the material of the core.
 void take_ions(const std::string& material, TomlWalk& walk) {
   for (const SchemaRow& row : schema()) {
     const bool applies = !row.applies || row.applies(walk.draft.input);
@@ -66,7 +66,7 @@ void take_ions(const std::string& material, TomlWalk& walk) {
     walk.seen[row.key] = walk.seen[source];
     const auto known = std::ranges::find(walk.records, source, &ValueRecord::key);
     if (known == walk.records.end())
-      continue; // not given, or a bad value, which is reported
+      continue; // not given, or a bad value, which is already reported
     ValueRecord record = *known;
     record.key = row.key;
     row.set(walk.draft, {}, record.value);
@@ -85,7 +85,7 @@ void report_unknown(const std::string& name, const std::vector<Pointer>& where,
                     const TomlWalk& walk, const std::vector<std::string>& presets,
                     Problems& problems) {
   if (problems.full()) {
-    problems.add("", {}, ""); // lists of names cost work that nobody would see
+    problems.add("", {}, ""); // only counted: the lists of names would not be shown
     return;
   }
   std::set<std::string> known(presets.begin(), presets.end());
@@ -171,7 +171,7 @@ void resolve_materials(TomlWalk& walk, Problems& problems) {
                          ": the law \"poroelastic\" takes the elastic constants "
                          "of the core from it",
                      {}, "add it: \"nafion\", say");
-      continue; // otherwise reported as a missing or bad key
+      continue; // else already reported as a missing or bad key
     }
     if (!walk.draft.materials.contains(name)) {
       report_unknown(name, place_of_layer_material(walk, i), walk, installed_materials(), problems);

@@ -61,7 +61,7 @@ public:
         look_at(row, row.key, {});
     }
     report_asked_for();
-    // Without its table there is no row to miss, yet a skin needs layers.
+    // A skin needs layers, but no key of a layer is missing if there is no layer at all.
     if (walk_.draft.input.skin.layers.empty())
       problems_.add("the skin has no layers", pointers_to("skin"),
                     "add sections [[skin.layers]] from bottom to top: electrode, core, electrode");
@@ -100,7 +100,7 @@ private:
         {key, row.default_value, format_value(row, value), ValueOrigin::default_value, {}, value});
   }
 
-  /// Parsed once, however many entries of a list take it.
+  /// The default of a row, parsed at the first call and cached: many entries of a list may need it.
   const Value& default_of(const SchemaRow& row) {
     const auto known = defaults_.find(&row);
     if (known != defaults_.end())
@@ -139,7 +139,7 @@ private:
                   pointers_to(section_of(key)), fmt::format("add it: {}", example(row)));
   }
 
-  /// Reports the keys that an edited choice asks for as one problem, with all that mends it.
+  /// Reports the keys that are missing because of edited choices as one mistake, with one remedy.
   void report_asked_for() {
     if (asked_for_.size() == 1)
       report_key(*asked_for_.front().second, asked_for_.front().first);
@@ -157,7 +157,7 @@ private:
 
   std::string needed_keys(const std::string& section) const {
     std::string list;
-    std::map<std::string, std::string> alternatives; // by their purpose
+    std::map<std::string, std::string> alternatives; // names of keys, by purpose
     for (const SchemaRow& row : schema()) {
       if (section_of(row.key) != section)
         continue;
@@ -176,7 +176,8 @@ private:
   const std::string& file_;
   const std::optional<EditedChoices>& choices_;
   Problems& problems_;
-  std::vector<std::pair<std::string, const SchemaRow*>> asked_for_; ///< keys, by edited choices
+  std::vector<std::pair<std::string, const SchemaRow*>>
+      asked_for_; ///< missing because of edited choices
   std::set<std::string> reported_sections_;
   std::map<const SchemaRow*, Value> defaults_;
 };

@@ -9,10 +9,12 @@
 
 namespace ionskin {
 
-/// Reports the keys that the case needs and does not have, and sets the others to their defaults.
-/// Materials are left to `resolve_materials`.
+/// Sets every missing key that has a default and applies to the case to its default, and reports
+/// the missing keys that the case needs. Keys of materials are left to `resolve_materials`.
+/// @param walk the case as read; its draft and records are completed
 /// @param file name of the case, for messages
-/// @param choices that `--set` edits: what they ask for is reported as one problem
+/// @param choices choices that `--set` edits change: keys needed because of them are one mistake
+/// @param problems collects the missing keys
 void complete(TomlWalk& walk, const std::string& file, const std::optional<EditedChoices>& choices,
               Problems& problems);
 

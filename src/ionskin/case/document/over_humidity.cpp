@@ -26,7 +26,8 @@ std::vector<Pointer> place_of(const ValueRecord* record) {
                                             : std::vector<Pointer>{};
 }
 
-/// True if the humidities are a scale on which numbers can be read, and that of the case is on it.
+/// True if the humidities of a material ascend and skin.humidity lies within them; else reports a
+/// mistake.
 bool is_readable(const std::string& material, const std::vector<double>& humidities,
                  const TomlWalk& walk, Problems& problems) {
   const std::string key = fmt::format("materials.{}.humidity", material);
@@ -40,7 +41,7 @@ bool is_readable(const std::string& material, const std::vector<double>& humidit
   const ValueRecord* given = find_record(walk, humidity_key);
   const auto seen = walk.seen.find(humidity_key);
   if (given == nullptr) {
-    if (seen == walk.seen.end() || !seen->second) // a bad value is reported
+    if (seen == walk.seen.end() || !seen->second) // a bad value is already reported
       problems.add(
           fmt::format("missing key {}: the material \"{}\" follows it", humidity_key, material),
           place_of(record),
@@ -60,7 +61,7 @@ bool is_readable(const std::string& material, const std::vector<double>& humidit
   return false;
 }
 
-/// True if a list has an entry for each humidity.
+/// True if a list has one entry for each humidity; else reports a mistake.
 bool fits(const ValueRecord& record, const std::string& material, std::size_t humidities,
           Problems& problems) {
   if (record.value.numbers.size() == humidities)

@@ -29,7 +29,7 @@ using Path = std::vector<Step>;
 constexpr std::string_view name_letters =
     "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_-";
 
-/// "name" or "name[3]".
+/// Parses one part of a key, "name" or "name[3]"; empty if it is malformed.
 std::optional<Step> parse_step(const std::string& part) {
   const std::size_t open = std::min(part.find_first_not_of(name_letters), part.size());
   Step step{part.substr(0, open), {}};
@@ -64,7 +64,7 @@ Path parse_path(const std::string& argument, const std::string& key) {
 bool is_toml_value(const std::string& text) {
   try {
     const TomlText line("value = " + text, "");
-    // A trailing comment would swallow what follows in an inline table.
+    // The value must be the whole text: a comment behind it would hide the rest of an inline table.
     return line.root().as_table().size() == 1 &&
            line.span(line.root().as_table().at("value")).length == text.size();
   } catch (const UserError&) {
@@ -90,7 +90,7 @@ std::string array_text(const std::string& typed) {
   return "[" + result + "]";
 }
 
-// The deepest value on a path that exists, and how many steps lead to it.
+// The deepest existing value on the path of a key, and the number of steps that lead to it.
 struct Descent {
   const toml::value* value = nullptr;
   std::size_t steps = 0;
@@ -119,7 +119,7 @@ std::string dotted(Path::const_iterator begin, Path::const_iterator end,
   return key;
 }
 
-/// Place of the entry that the case gives this name, such as that of a layer.
+/// Index of the entry of a list of tables, such as the layers, whose key `name` has this value.
 std::optional<std::size_t> entry_named(const toml::array& entries, const std::string& name) {
   for (std::size_t i = 0; i < entries.size(); ++i)
     if (entries[i].is_table() && entries[i].contains("name") && entries[i].at("name").is_string() &&
@@ -128,7 +128,8 @@ std::optional<std::size_t> entry_named(const toml::array& entries, const std::st
   return std::nullopt;
 }
 
-/// `step` asks a list or a single value for what only tables have.
+/// Refuses an edit whose path continues with `step` below a list or a single value instead of a
+/// table.
 [[noreturn]] void refuse_step(const std::string& argument, const toml::value& value,
                               const Path& path, Path::const_iterator step) {
   const std::string key = dotted(path.begin(), step, Indices::written), &name = (step - 1)->name;
@@ -164,23 +165,23 @@ std::size_t line_end(const std::string& text, std::size_t position) {
   return std::min(text.find('\n', position), text.size());
 }
 
-// A place for a new key, and the text around "key = value" there.
+// Position at which a new key can be inserted, and the text around "key = value" there.
 struct Slot {
   std::size_t position = 0;
   std::string before, key, after;
-  std::string claim; ///< name to which no other edit may add beside this one
+  std::string claim; ///< see `PlacedEdit::claim`; empty for the new key itself
   bool on_top = true;
 };
 
 Slot slot_at_end(const std::string& text, const std::string& table, const std::string& key) {
   const std::string gap = text.empty() || text.ends_with('\n') ? "\n" : "\n\n";
-  // The header makes the tables that it lies in, too.
+  // The claim is the outermost table, because the new header creates all tables that contain it.
   return {text.size(), fmt::format("{}[{}]\n", gap, table), key,
           "\n",        table.substr(0, table.find('.')),    false};
 }
 
-/// Where a table has a list of tables alone so far, such as [[readout.taxels]], behind which it
-/// could not be opened.
+/// Inserts the header of a table before the list of tables, such as [[readout.taxels]], that is all
+/// the table has so far. TOML does not allow the header behind the list.
 Slot slot_before_list(const std::string& text, std::size_t first, const std::string& table,
                       const std::string& key) {
   const std::size_t line = first == 0 ? 0 : text.rfind('\n', first - 1) + 1;
@@ -191,8 +192,8 @@ Slot slot_after_line(const std::string& text, std::size_t position, const std::s
   return {line_end(text, position), "\n", key, "", ""};
 }
 
-// Beside `contact.law = ...`, the new key must be written the same way: [contact] cannot be opened
-// again.
+// Inserts a new key in dotted form beside a key of the same table such as `contact.law = ...`: TOML
+// then does not allow a header [contact].
 Slot slot_beside_dotted(const std::string& argument, const TomlText& values,
                         const toml::value& table, const std::string& new_key) {
   const std::string& text = values.text();
@@ -244,7 +245,7 @@ Slot find_slot(const std::string& argument, const TomlText& values, const Descen
     return slot_before_list(text, span.begin, name, rest);
   if (written.starts_with('['))
     return slot_at_end(text, name,
-                       rest); // only sub-tables such as [materials.platinum] exist so far
+                       rest); // the table has only sub-tables such as [materials.platinum]
   return slot_beside_dotted(argument, values, table, rest);
 }
 
@@ -269,7 +270,7 @@ std::string toml_value_text(const std::string& typed) {
 
 namespace {
 
-/// Checks the limits of an edit before anything of it is read.
+/// Checks length, encoding and depth of an edit before it is parsed.
 void check_limits(const std::string& argument) {
   if (argument.size() > toml_limits::text_bytes)
     refuse(argument, fmt::format("the edit has {} bytes", argument.size()), false,

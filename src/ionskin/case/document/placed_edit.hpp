@@ -10,43 +10,48 @@
 
 namespace ionskin {
 
-/// One `--set key=value`, read.
+/// One parsed argument `--set key=value`.
 struct SetEdit {
-  /// A name, with the index into an array where one follows.
+  /// One part of a key between dots: a name, and the index of a list entry if one follows.
   struct Step {
     std::string name;
-    std::optional<std::size_t> index;
+    std::optional<std::size_t> index; ///< from 0; empty without brackets
   };
 
-  std::string argument; ///< as the user wrote it
-  std::vector<Step> path;
-  std::string value; ///< as TOML
+  std::string argument;   ///< as the user wrote it
+  std::vector<Step> path; ///< parts of the key
+  std::string value;      ///< value as TOML
 
-  /// Names of the tables in which the key lies, and of the key: "skin", "skin.layers",
-  /// "skin.layers[1]", "skin.layers[1].name".
+  /// Lists the names of the tables that contain the key, from the outside inwards, and last the
+  /// key: "skin", "skin.layers", "skin.layers[1]", "skin.layers[1].name".
   std::vector<std::string> tables_and_key() const;
 };
 
-/// Reads one argument of --set.
-/// @param argument see `apply_set_edits`
-/// Throws UserError pointing into the argument.
+/// Parses one argument of --set.
+/// @param argument "key=value", see `apply_set_edits`
+/// Throws UserError that points into the argument when it is malformed.
 SetEdit parse_set_edit(const std::string& argument);
 
-/// An edit and where it goes in a text.
+/// An edit as a replacement in a text, with what it needs to be combined with other edits.
 struct PlacedEdit {
   TextEdit text;
-  /// The key that it sets, or the table or part of a key that it makes: what another edit placed in
-  /// the same text must neither set, nor lie in, nor hold.
+  /// Name of the key that the edit sets, or of the table that it creates. Two edits of the same
+  /// text conflict if one sets this name, lies in it or contains it.
   std::string claim;
-  bool on_top = false; ///< true if later edits at the same place stand before it
+  bool on_top = false; ///< true if later edits at the same position go before this one
 };
 
-/// A key that is not there yet is added to its table, a table that is not there yet to the end.
-/// Throws UserError pointing into the argument. Whether the key exists is for the reader to say.
+/// Finds the replacement that makes an edit in a text. A key that the text does not have is added
+/// to its table, a missing table at the end of the text. The schema is not consulted: unknown keys
+/// are refused later, when the case is read.
+/// @param values the text, parsed
+/// Throws UserError that points into the argument when the edit cannot be made.
 PlacedEdit place_set_edit(const SetEdit& edit, const TomlText& values);
 
 /// Throws UserError that points into an edit.
-/// @param value whether to point at the value, or at the key
+/// @param argument the edit as the user wrote it
+/// @param value true to point at the value, false to point at the key
+/// @param remedy advice to the user
 [[noreturn]] void refuse_set_edit(const std::string& argument, const std::string& message,
                                   bool value, const std::string& remedy);
 

@@ -19,7 +19,7 @@ namespace ionskin {
 
 namespace {
 
-// Reads the parts of one value; a refusal leaves through the exception.
+// Reads one value by its row. Throws BadValue when the value is refused.
 class ValueReader {
 public:
   ValueReader(const SchemaRow& row, const std::string& key) : row_(row), key_(key) {}
@@ -61,7 +61,7 @@ private:
   static std::string written(const toml::value& value) {
     if (!value.is_floating())
       return base::shown(toml::format(value, 10000));
-    // The library would write 1e-6 as 9.9999999999999995e-07.
+    // toml11 would write 1e-6 as 9.9999999999999995e-07.
     const std::string shortest = fmt::format("{}", value.as_floating());
     const bool whole = shortest.find_first_not_of("-0123456789") == std::string::npos;
     return whole ? shortest + ".0" : shortest;
@@ -118,13 +118,14 @@ private:
     return in_range(value, value.as_floating());
   }
 
-  /// In the row's dimension or, where the text has that, in its other one.
+  /// Reads a quantity in the row's dimension, or in its alternative dimension if the text has that
+  /// one.
   Value scalar_quantity(const toml::value& value) const {
     if (row_.other_dimension && value.is_string()) {
       std::optional<double> number;
       try {
         number = units::parse_quantity(value.as_string().str, *row_.other_dimension);
-      } catch (const UserError&) { // read below as the row's own dimension
+      } catch (const UserError&) { // read below in the row's own dimension
       }
       if (number)
         return {{}, {in_range(value, *number, *row_.other_dimension)}, *row_.other_dimension};
@@ -159,7 +160,8 @@ private:
     return in_range(value, result, row_.dimension);
   }
 
-  /// A bare number with the SI unit where that may be meant, or else the first usual unit that may.
+  /// Suggests a unit for a bare number: the SI unit if the number is then in range, else the first
+  /// usual unit with which it is.
   std::string with_unit(const toml::value& value, units::Dimension dimension) const {
     const units::DimensionInfo& info = units::dimension_info(dimension);
     std::vector<std::string> candidates{info.si_unit};
@@ -174,7 +176,7 @@ private:
     return "1.5 " + info.si_unit;
   }
 
-  /// A text of the row's dimension, and of its other one where it has that.
+  /// Joins a text for the row's dimension and, if it has one, for its alternative dimension.
   std::string in_each_dimension(std::string_view between,
                                 const std::function<std::string(units::Dimension)>& text) const {
     std::string all = text(row_.dimension);

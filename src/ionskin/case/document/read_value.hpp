@@ -10,19 +10,20 @@
 
 namespace ionskin {
 
-/// Reason for which a value was refused.
+/// Result of `read_value` for a value that is refused.
 struct BadValue {
-  std::string message, remedy;
-  const toml::value* where =
-      nullptr; ///< the offending value: an entry of a list, or the whole value
+  std::string message, remedy; ///< the mistake, and advice to the user
+  /// The offending value, an entry of a list or the whole value; owned by the TOML tree.
+  const toml::value* where = nullptr;
 };
 
-/// Reads one value as its row demands: type, dimension, range, choice.
-/// @param key the concrete key, for messages
+/// Reads one value and checks it against its row of the schema: type, dimension, range, choice.
+/// @param key full name of the key, for messages
+/// @return the value in SI units, or why it is refused
 std::variant<Value, BadValue> read_value(const SchemaRow& row, const std::string& key,
                                          const toml::value& value);
 
-/// The value in SI units, for people: "[0.003 m, 0.0015 m]".
+/// Writes a value in SI units as text for people: "[0.003 m, 0.0015 m]".
 std::string format_value(const SchemaRow& row, const Value& value);
 
 } // namespace ionskin

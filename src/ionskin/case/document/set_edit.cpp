@@ -14,19 +14,21 @@
 namespace ionskin {
 namespace {
 
-/// Rounds of edits that depend on those of the round before; a few are a user's.
+/// Largest number of rounds, in each of which edits depend on those of the round before. A user's
+/// edits need only a few.
 constexpr int most_rounds = 20;
 
-/// Keys that edits set, with what they lie in.
+/// Keys that edits set, and the tables that contain them.
 class Claims {
 public:
-  /// True if one of the claims sets the key, lies in it, or holds it.
+  /// True if an edit conflicts with a claim: it sets the same key, lies in it, or contains it.
   bool touch(const SetEdit& edit) const {
     const std::vector<std::string> names = edit.tables_and_key();
     return holding_.contains(names.back()) ||
            std::ranges::any_of(names, [&](const auto& name) { return claimed_.contains(name); });
   }
-  /// @param claim one of the edit's names
+  /// Adds the claim of an edit.
+  /// @param claim one of the names of `SetEdit::tables_and_key`
   void add(const SetEdit& edit, const std::string& claim) {
     claimed_.insert(claim);
     for (const std::string& name : edit.tables_and_key()) {
@@ -41,7 +43,7 @@ private:
 };
 
 std::vector<TextEdit> in_order_of_text(const std::vector<PlacedEdit>& placed) {
-  // At one place, what stands on top of what is there comes first, the latest of it before all.
+  // At one position, edits with `on_top` come first, the latest of them before all others.
   std::vector<std::tuple<std::size_t, bool, std::ptrdiff_t>> order;
   for (std::size_t i = 0; i < placed.size(); ++i) {
     const auto turn = static_cast<std::ptrdiff_t>(i);
@@ -71,11 +73,12 @@ public:
   TomlText take_values() { return std::move(values_); }
 
 private:
-  /// @return the edits that depend on others of the round
+  /// Applies the edits that are independent of one another.
+  /// @return the edits that depend on others of this round
   std::vector<SetEdit> apply_independent(const std::vector<SetEdit>& edits) {
     std::vector<SetEdit> chosen, left;
     std::vector<PlacedEdit> placed;
-    std::map<std::string, std::size_t> of_key; // index of those that set just this key
+    std::map<std::string, std::size_t> of_key; // index into `chosen` of the edit that sets the key
     Claims claims, waiting;
     for (const SetEdit& edit : edits) {
       const std::string key = edit.tables_and_key().back();
@@ -100,8 +103,8 @@ private:
     return left;
   }
 
-  /// Writes edits that are independent of one another; where they do not fit, by halves, to tell
-  /// which one.
+  /// Writes edits that are independent of one another. If the result is not TOML, writes each half
+  /// by itself, to find the edit that fails.
   void write(const std::vector<SetEdit>& edits, const std::vector<PlacedEdit>& placed) {
     CaseText trial = text_;
     trial.edit(in_order_of_text(placed));

@@ -16,7 +16,7 @@ namespace ionskin {
 namespace {
 
 constexpr const char* list = "slider";
-/// Tables of a case that an entry may have of its own.
+/// Tables of a case that an entry of the list may have itself.
 constexpr std::array sections{"motion", "contact"};
 
 const toml::value* entries_of(const TomlText& values) {
@@ -26,7 +26,8 @@ const toml::value* entries_of(const TomlText& values) {
   return is_list ? &found->second : nullptr;
 }
 
-/// The table of an entry, or of the whole case, by its name; null where there is none.
+/// Finds a table by its name in an entry of the list or in the whole case; nullptr if there is
+/// none.
 const toml::value* section_of(const toml::value& table, const std::string& name) {
   const auto found = table.as_table().find(name);
   return found == table.as_table().end() ? nullptr : &found->second;
@@ -46,8 +47,9 @@ std::vector<Pointer> pointers_of(const CaseDocument& one, const std::string& not
   return pointers;
 }
 
-/// The paths are solved one after another and again until they agree: a slider that hangs on a
-/// drive, or adheres, may jump from one to the next.
+/// Refuses several sliders if one is on a drive or adheres. Their paths are solved one after
+/// another and repeated until they agree, and such a slider may jump from one repetition to the
+/// next.
 void check_rigid_paths(const std::vector<CaseDocument>& documents, Problems& problems) {
   for (std::size_t i = 0; i < documents.size(); ++i) {
     const Case& input = documents[i].input;
@@ -121,7 +123,7 @@ TomlText with_slider(const TomlText& values, std::size_t slider) {
     const auto shared = root.as_table().find(section);
     if (shared != root.as_table().end() && shared->second.is_table() && own->is_table()) {
       auto& table = shared->second.as_table();
-      // The keys of the case would have no effect on another kind of motion.
+      // Keys of the case would have no effect on another kind of motion: only `cycles` is kept.
       if (own->as_table().contains("kind")) {
         std::erase_if(table, [](const auto& shared_key) { return shared_key.first != "cycles"; });
       }

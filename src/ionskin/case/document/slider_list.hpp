@@ -10,23 +10,29 @@
 
 namespace ionskin {
 
-/// Number of entries of a list [[slider]]; 0 where a case writes its only slider as [slider].
-/// Throws UserError for an empty list, and for one of too many sliders.
+/// Counts the entries of a list [[slider]]; 0 if the case has no such list, but one table [slider]
+/// or none. Throws UserError when the list is empty, has more than `most_sliders` entries, or
+/// entries that are not tables.
 std::size_t listed_sliders(const TomlText& values);
 
-/// Values of a case in which one slider of the list is alone: its entry stands as [slider], without
-/// the tables `motion` and `contact` in it, whose keys stand in those of the case.
+/// Makes the values of a case with only one slider of the list: its entry becomes the table
+/// [slider], and the keys of its own tables `motion` and `contact` override those of the case.
+/// @param values a case with a list [[slider]]
+/// @param slider index of the entry, from 0
 TomlText with_slider(const TomlText& values, std::size_t slider);
 
-/// Name in the text of a key of a case of one slider, "slider[1].shape" of "slider.shape" and
-/// "slider[1].motion.file" of a "motion.file" that stands in the entry; the same key where no list
-/// is.
+/// Converts a key of the case that `with_slider` makes to its name in the user's text:
+/// "slider.shape" to "slider[1].shape", and "motion.file" to "slider[1].motion.file" if the entry
+/// has that key. Returns the key unchanged in a case without a list.
+/// @param slider index of the entry, from 0
 std::string listed_key(const TomlText& values, std::size_t slider, const std::string& key);
 
-/// The case of all sliders. The keys in the entry of a slider are named by it, "slider[1].shape".
-/// @param values those with the list
-/// @param documents one for each slider, as `with_slider` makes its values
-/// Throws UserError where the sliders do not go together.
+/// Joins the cases of single sliders to one case with all sliders. Records of keys in an entry of
+/// the list get the names of the user's text, "slider[1].shape".
+/// @param values the case with the list [[slider]]
+/// @param documents one for each slider, read from the values that `with_slider` makes
+/// Throws UserError when the sliders cannot be combined: different durations or numbers of cycles,
+/// a drive, or adhesion.
 CaseDocument joined_sliders(const TomlText& values, std::vector<CaseDocument> documents);
 
 } // namespace ionskin

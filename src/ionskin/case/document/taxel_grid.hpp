@@ -8,12 +8,12 @@
 
 namespace ionskin {
 
-/// Size of one taxel of a grid over the whole top face, along x and y; not above 0 where the gaps
-/// leave no room [m].
+/// Size along x and y of one taxel of a grid over the whole top face [m]; 0 or negative if the gaps
+/// leave no room. The grid must have rows and columns.
 std::array<double, 2> taxel_size(const TaxelGrid& grid, const Skin& skin);
 
-/// The taxels of a grid, row by row: "r1c1" has the least x and y, columns follow x and rows y.
-/// Empty without a grid, or where the gaps leave no room.
+/// Makes the taxels of a grid, row by row, columns along x and rows along y; "r1c1" has the least x
+/// and y. Empty without a grid, or if the gaps leave no room.
 std::vector<Taxel> taxels_of(const TaxelGrid& grid, const Skin& skin);
 
 } // namespace ionskin

@@ -30,7 +30,7 @@ constexpr std::size_t most_layers = 50, most_taxels = 2000;
 constexpr const char* layer_list = "skin.layers";
 constexpr const char* waypoint_list = "motion.waypoints";
 
-// Words for one table of a list, for messages.
+// Describes one entry of a list of tables, for messages.
 std::string entry_name(const std::string& pattern) {
   if (pattern == waypoint_list)
     return "waypoint, in the order of time";
@@ -135,7 +135,8 @@ void TomlWalk::read(const SchemaRow& row, const toml::value& value, const std::s
                      place_of(value), read});
 }
 
-// A key of the same table stands where that table does.
+// Name of the key `other` in messages. A key of the same table as `key` gets the table's name in
+// the text of the user.
 std::string TomlWalk::name_beside(const std::string& key, const std::string& other) const {
   const std::size_t dot = key.rfind('.');
   const std::string table = key.substr(0, dot == std::string::npos ? 0 : dot + 1);
@@ -148,13 +149,13 @@ std::string TomlWalk::name_beside(const std::string& key, const std::string& oth
 void TomlWalk::report_unknown(const toml::value& value, const std::string& key,
                               const std::string& pattern) {
   if (problems_.full()) {
-    problems_.add("", {}, ""); // the nearest name costs work that nobody would see
+    problems_.add("", {}, ""); // only counted: the nearest name would not be shown
     return;
   }
   const TextSpan span = values_.key_span(value);
   const std::vector<Pointer> where = {{text_.place(span.begin, span.length), ""}};
   const std::string meant = meant_key(key, pattern);
-  seen[meant] = true; // so that it is not reported as missing too
+  seen[meant] = true; // so that it is not also reported as missing
   problems_.add(fmt::format("unknown {} {}", value.is_table() ? "section" : "key", name_of(key)),
                 where,
                 meant.empty() ? list_of_siblings(key, pattern)

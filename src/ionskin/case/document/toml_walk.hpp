@@ -14,30 +14,35 @@
 
 namespace ionskin {
 
-/// Walks a TOML tree along the schema: reads every known key into a draft, records it, and collects
-/// unknown keys and bad values.
+/// Reads a TOML tree by the schema: stores every known key in a draft of the case, records it, and
+/// collects unknown keys and bad values as mistakes. Missing keys are left to `complete`.
 class TomlWalk {
 public:
-  /// Name of a key in messages.
+  /// Function that converts a key to its name in messages.
   using Name = std::function<std::string(const std::string& key)>;
 
-  /// @param values those of the text
-  /// @param name of keys that stand elsewhere in the text, as those of a slider in a list
+  /// Prepares a walk; all arguments taken by reference must outlive it.
+  /// @param text text of the case, for positions in messages
+  /// @param values the parsed `text`
+  /// @param problems collects mistakes
+  /// @param name converts keys that have another name in the text, as those of a slider in a list
   TomlWalk(
       const CaseText& text, const TomlText& values, Problems& problems,
       Name name = [](const std::string& key) { return key; })
       : name_of(std::move(name)), text_(text), values_(values), problems_(problems) {}
 
+  /// Reads the whole tree into the members below.
   void visit() { visit_table(values_.root(), "", "", {}); }
 
-  const Name name_of;
-  CaseDraft draft;
-  std::vector<ValueRecord> records;
-  /// Places of the tables: "skin", "skin.layers[0]", "materials.nafion".
+  const Name name_of;               ///< converts a key to its name in messages
+  CaseDraft draft;                  ///< the case as far as it is read
+  std::vector<ValueRecord> records; ///< values read, in the order of the text
+  /// Positions of the tables and lists of tables, by name: "skin", "skin.layers[0]".
   std::map<std::string, Place> tables;
-  /// Number of tables in each list of them: "skin.layers".
+  /// Number of entries of each list of tables, by name: "skin.layers".
   std::map<std::string, std::size_t> list_sizes;
-  /// Keys and sections that were there, even misspelt or with a bad value.
+  /// True for keys and sections that the text has, even with a bad value, and for those that an
+  /// unknown key was probably meant to be.
   std::map<std::string, bool> seen;
 
 private:

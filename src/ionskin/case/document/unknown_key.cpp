@@ -22,11 +22,12 @@ std::string last_of(const std::string& pattern) {
   return pattern.substr(pattern.rfind('.') + 1);
 }
 
-/// Names of the schema, made once: a hostile text asks for them at every one of its mistakes.
+/// Names in the schema, cached because a text with many mistakes needs them for each.
 struct SchemaNames {
-  /// Keys and sub-tables that may stand in each table, in the order of the schema.
+  /// Names of keys and sub-tables of each table, by the name of the table, in the order of the
+  /// schema.
   std::map<std::string, std::vector<std::string>> in_table;
-  std::vector<std::string> last; ///< of each row
+  std::vector<std::string> last; ///< last name of the key of each row
 
   SchemaNames() {
     for (const SchemaRow& row : schema()) {
@@ -54,8 +55,8 @@ const std::vector<std::string>& names_in(const std::string& parent) {
   return found == schema_names().in_table.end() ? none : found->second;
 }
 
-// A key in the table or deeper that the name ends or begins with, or one of nearly that name
-// anywhere.
+// Finds a key in the table or below whose last name begins or ends the given name; else a key
+// anywhere whose last name is similar.
 std::string key_elsewhere(const std::string& name, const std::string& parent) {
   const std::vector<std::string>& last = schema_names().last;
   const std::string inside = parent + ".";
@@ -76,7 +77,8 @@ std::string meant_key(const std::string& key, const std::string& pattern) {
   const std::string table = parent_of(pattern), parent = parent_of(key), name = last_of(pattern);
   std::string meant = base::nearest_name(name, names_in(table));
   if (name.starts_with(meant + "_")) {
-    // Begun with one key of the table, it may end with another: friction_law.
+    // A name such as friction_law begins with one key of the table and ends with another, which is
+    // meant.
     for (const std::string& sibling : names_in(table))
       if (name.ends_with("_" + sibling))
         meant = sibling;

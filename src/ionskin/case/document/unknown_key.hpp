@@ -5,12 +5,13 @@
 
 namespace ionskin {
 
-/// The key that was probably meant by one that the schema lacks, or an empty string.
-/// @param key as it stands in the case
-/// @param pattern its names as the schema would write them
+/// Finds the key that a user probably meant by an unknown key; empty if there is none.
+/// @param key full name of the unknown key in the case: "skin.layers[1].thicknes"
+/// @param pattern the key with the wildcards of the schema: "skin.layers[].thicknes"
 std::string meant_key(const std::string& key, const std::string& pattern);
 
-/// List of the keys that could stand beside it, for a message: "keys of TABLE: ...".
+/// Lists the keys that the schema has in the table of a key, for a message: "keys of TABLE: ...".
+/// @param key, pattern as of `meant_key`
 std::string list_of_siblings(const std::string& key, const std::string& pattern);
 
 } // namespace ionskin

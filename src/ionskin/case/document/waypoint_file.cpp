@@ -28,7 +28,7 @@ const std::map<std::string, Dimension>& known_columns() {
 
 constexpr const char* header_example = "time [s], x [mm], y [mm], height [mm]";
 
-/// Reads line by line; every mistake is reported with its place.
+/// Reads a waypoint file row by row, and refuses mistakes with their line.
 class WaypointReader {
 public:
   explicit WaypointReader(const std::string& path) : table_(path, "waypoint") {}
@@ -52,7 +52,7 @@ private:
     std::string name, unit;
   };
 
-  /// A recorder that stops for a while may write its last row again.
+  /// True if two rows are identical: a recorder that pauses may write its last row again.
   static bool same(const Waypoint& a, const Waypoint& b) {
     return a.time == b.time && a.position == b.position && a.height == b.height &&
            a.force == b.force && a.roll == b.roll && a.pitch == b.pitch && a.yaw == b.yaw;
@@ -89,7 +89,7 @@ private:
                                     ? "columns: time, x, y, height, force, roll, pitch, yaw"
                                     : fmt::format("did you mean \"{}\"?", nearest)));
     }
-    value("1", column.unit, known->second, column.name); // refuses a bad unit at once
+    value("1", column.unit, known->second, column.name); // refuses an unknown unit
     if (!index_.emplace(column.name, columns_.size()).second)
       table_.refuse(fmt::format("the column \"{}\" stands twice", column.name), "keep one of them");
     columns_.push_back(column);

@@ -36,7 +36,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The written case must run from any folder, so a file that it names gets an absolute path.
+// Makes the path of a file absolute, in the value and in the text, so that the case that is written
+// with the results runs from any folder.
 // @param name of the key in the text
 void anchor_file(const CaseDocument& document, const std::string& name, std::string& file,
                  CaseText& text) {
@@ -74,17 +75,17 @@ void settle_slider(Slider& slider) {
     slider.profile_heights = read_height_map(slider.profile);
 }
 
-// Records ordered by place in the schema; the keys of one layer or material stay together, in the
+// Sorts records in the order of the schema. Keys of one layer or material stay together, in the
 // order of the file.
 std::vector<ValueRecord> in_order_of_schema(std::vector<ValueRecord> records) {
-  std::map<std::string, std::size_t> rank; // of keys, and of what several keys begin with
+  std::map<std::string, std::size_t> rank; // of keys, and of common beginnings of keys
   const auto group = [](const std::string& key) {
     const std::size_t end = std::min(key.find('['), key.starts_with("materials.") ? 9 : key.size());
     return key.substr(0, end + 1);
   };
   for (const SchemaRow& row : schema())
     rank.emplace(group(row.key), rank.size());
-  std::vector<std::pair<std::size_t, std::size_t>> order; // rank, and place in the file
+  std::vector<std::pair<std::size_t, std::size_t>> order; // rank, and index in the file
   for (const ValueRecord& record : records) {
     const auto known = rank.find(group(record.key));
     order.emplace_back(known == rank.end() ? rank.size() : known->second, order.size());
@@ -125,7 +126,7 @@ CaseDocument read_case_document(const std::string& path,
 
 namespace {
 
-// The keys of a case of one slider, and what stands for those that are missing.
+// Reads the keys of a case of one slider, and completes it with presets and defaults.
 CaseDocument walk_document(const CaseText& text, const TomlText& values, const std::string& path,
                            const std::optional<EditedChoices>& choices,
                            const TomlWalk::Name& name) {
@@ -143,7 +144,7 @@ CaseDocument walk_document(const CaseText& text, const TomlText& values, const s
   return document;
 }
 
-// Sets what follows from the keys.
+// Sets the members of a case that follow from its keys: files, angles, the taxels of a grid.
 void settle(Case& input) {
   if (input.strain.kind == StrainSourceKind::contact)
     settle_slider(input.slider);

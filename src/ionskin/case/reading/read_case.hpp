@@ -9,22 +9,27 @@
 namespace ionskin {
 
 /// Reads and checks a case file.
-/// @param path TOML file; see the schema for its keys
+/// @param path TOML file, with the keys of `schema`
 /// @param set_edits "key=value" each, applied to the text in this order
-/// Throws UserError with all mistakes that were found: what, where (line and caret), remedy.
+/// Throws UserError with all mistakes found, each with its position (line and caret) and a remedy.
 Case read_case(const std::string& path, const std::vector<std::string>& set_edits = {});
 
-/// Reads and checks a case file, and keeps where each value came from.
+/// Reads and checks a case file, and stores the origin of each value; arguments and errors as of
+/// `read_case`.
 CaseDocument read_case_document(const std::string& path,
                                 const std::vector<std::string>& set_edits = {});
 
-/// Reads and checks the text of a case file.
-/// @param path names it in messages; files that the case names are looked for in its folder
+/// Reads and checks the text of a case file; errors as of `read_case`.
+/// @param path name of the text in messages; paths in the case are relative to its folder
+/// @param set_edits "key=value" each, applied to the text in this order
 CaseDocument read_case_text(const std::string& text, const std::string& path,
                             const std::vector<std::string>& set_edits = {});
 
-/// Checks each value that a text gives, by itself. Throws UserError for unknown keys and bad
-/// values; missing keys and values that do not fit together are left to the reading.
+/// Checks each value in the text of a case by itself. Missing keys and conflicts between keys are
+/// not checked: `read_case` finds them.
+/// @param name of the case, for messages
+/// @param set_edits "key=value" each, applied to the text in this order
+/// Throws UserError with all unknown keys and bad values.
 void check_values(const std::string& text, const std::string& name,
                   const std::vector<std::string>& set_edits = {});
 

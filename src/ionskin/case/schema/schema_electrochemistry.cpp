@@ -122,7 +122,8 @@ void add_ions_of_materials(SchemaRows& rows) {
     row.over_humidity = row.type == ValueType::number || row.type == ValueType::quantity;
     row.default_value = row.source = "";
     row.help = "Of a core made of this material: " + own_key + " where the case does not give it.";
-    row.set = [](CaseDraft&, const KeyIndex&, const Value&) {}; // handed on by complete_materials
+    row.set = [](CaseDraft&, const KeyIndex&, const Value&) {
+    }; // `complete_materials` copies the value to its section
     rows.push_back(std::move(row));
   }
 }

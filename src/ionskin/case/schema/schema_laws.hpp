@@ -15,8 +15,9 @@
 
 namespace ionskin {
 
-// Rows of the schema made of what the tables of laws declare.
+// Rows of the schema that are made from the declarations in the tables of laws.
 
+/// Names of all laws of a table, as choices of a key.
 template <class Law> std::vector<Choice> choices_of(std::span<const Law> table) {
   std::vector<Choice> choices;
   for (const Law& law : table)
@@ -24,7 +25,8 @@ template <class Law> std::vector<Choice> choices_of(std::span<const Law> table) 
   return choices;
 }
 
-/// Phrases of the rows of a table, joined: "one thing, another, or a third".
+/// Joins one phrase of every row of a table for a help text: "one thing, another, or a third".
+/// @param phrase member of the row that holds the phrase
 template <class Row>
 std::string alternatives(std::span<const Row> table, std::string_view Row::*phrase) {
   std::string list;
@@ -35,13 +37,15 @@ std::string alternatives(std::span<const Row> table, std::string_view Row::*phra
   return list;
 }
 
+/// Type of the key that is made of a law's parameter.
 inline ValueType type_of(const laws::LawParameter& parameter) {
   if (parameter.whole)
     return ValueType::integer;
   return parameter.dimension == units::Dimension::number ? ValueType::number : ValueType::quantity;
 }
 
-/// The names of the laws with a parameter: "\"coulomb\" or \"saturating\"".
+/// Joins the names of the laws that have a parameter, for a message: "\"coulomb\" or
+/// \"saturating\"". Empty if no law has it.
 template <class Law>
 std::string laws_with_parameter(std::span<const Law> table, std::string_view parameter) {
   std::string names;
@@ -51,20 +55,25 @@ std::string laws_with_parameter(std::span<const Law> table, std::string_view par
   return names;
 }
 
-/// The section of a case in which a law is chosen, and where its choice stands.
+/// Section of a case in which a law is chosen: its names in the file, and its members in the
+/// structs.
 template <class Section> struct LawSection {
-  std::string name, choice; ///< keys: "contact", "law"
-  Section Case::*section = nullptr;
-  std::string Section::*law = nullptr;
+  std::string name, choice;            ///< name of the section, and of its key: "contact", "law"
+  Section Case::*section = nullptr;    ///< struct of the section in `Case`
+  std::string Section::*law = nullptr; ///< member that holds the name of the chosen law
 };
-/// Clang deduces none for aggregates before version 17.
+/// Deduction guide, which Clang before version 17 needs for aggregates.
 template <class Section>
 LawSection(std::string, std::string, Section Case::*, std::string Section::*)
     -> LawSection<Section>;
 
-/// One row per parameter of the laws of a section, such as "contact.NAME". Laws may share a
-/// parameter: the first one that has it declares it.
-/// @param idle_defaults whether parameters of laws that were not chosen have their defaults, too
+/// Adds a row to the schema for each parameter of the laws of a section, such as "contact.NAME".
+/// Laws may share a parameter; the declaration of the first law that has it counts.
+/// @param rows the schema so far, to which rows are appended
+/// @param of the section, whose struct has a member `parameters`
+/// @param table all laws of the section
+/// @param need_without_default need of parameters that have no default
+/// @param idle_defaults true if parameters of laws that are not chosen get their defaults, too
 template <class Law, class Section>
 void add_law_parameters(SchemaRows& rows, const LawSection<Section>& of, std::span<const Law> table,
                         Need need_without_default, bool idle_defaults = false) {

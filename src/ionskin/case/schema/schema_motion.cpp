@@ -16,7 +16,7 @@ using units::Dimension;
 
 namespace {
 
-// A direction without length stays so, for check_case to refuse.
+// Normalises the direction. One of zero length is stored as {0, 0}, which `check_track` refuses.
 void into_direction(CaseDraft& draft, const KeyIndex&, const Value& value) {
   constexpr double shortest = 1e-9;
   const double length = std::hypot(value.numbers[0], value.numbers[1]);
@@ -31,7 +31,7 @@ bool reciprocates(const Case& input) {
   return input.motion.kind == MotionKind::reciprocating;
 }
 
-// One duration of the motion.
+// Makes the row of one duration of the motion.
 SchemaRow duration(const std::string& key, const std::string& help, double Motion::*member) {
   return {.key = key,
           .type = ValueType::quantity,
@@ -43,7 +43,7 @@ SchemaRow duration(const std::string& key, const std::string& help, double Motio
           .set = into(&Case::motion, member)};
 }
 
-// One distance of the motion.
+// Makes the row of one distance of the motion.
 SchemaRow distance(const std::string& key, const std::string& help, const Range& range,
                    double Motion::*member) {
   return {.key = key,
@@ -56,7 +56,7 @@ SchemaRow distance(const std::string& key, const std::string& help, const Range&
           .set = into(&Case::motion, member)};
 }
 
-// An indentation or a force.
+// Stores the preload as an indentation or as a force, by the dimension as written.
 void into_preload(CaseDraft& draft, const KeyIndex&, const Value& value) {
   const bool force = value.dimension == Dimension::force;
   draft.input.motion.preload = force ? 0 : value.numbers[0];

@@ -30,15 +30,16 @@ void add_circuit(SchemaRows& rows) {
                      table, Need::always, true);
 }
 
-/// Circuits that a taxel may have: those of a readout, and being part of the electrode, with its
-/// circuit.
+/// Names of the circuits that a taxel may have: all circuits, and "shared", which makes it part of
+/// the electrode.
 std::vector<Choice> circuits_of_taxels() {
   std::vector<Choice> choices = choices_of(circuits::circuits());
   choices.insert(choices.begin(), {shared_circuit});
   return choices;
 }
 
-/// Keys of the circuits for one taxel, which has those of the readout where it is silent.
+/// Appends the keys by which one taxel gets a circuit and parameters of its own. Where it gives
+/// none, it takes those of the readout.
 void add_circuit_of_taxel(SchemaRows& rows) {
   rows.push_back({.key = "readout.taxels[].circuit",
                   .type = ValueType::choice,

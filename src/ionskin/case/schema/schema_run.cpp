@@ -9,8 +9,8 @@ using units::Dimension;
 
 namespace {
 
-/// Row of a key for cases that older versions could let share what they solved; the skin of every
-/// case is now set up by itself.
+/// Makes the row of a key of older versions, in which cases could share the solution at common
+/// positions of the slider. The key is accepted, but has no effect.
 SchemaRow of_shared_positions(const std::string& name, const Range& range) {
   return {.key = "numerics.shared_positions." + name,
           .type = ValueType::quantity_pair,

@@ -11,7 +11,7 @@
 namespace ionskin {
 namespace {
 
-/// Symbols as docs/model.md writes them, by the keys for which they stand.
+/// Keys by the symbols that docs/model.md uses for them.
 const std::map<std::string, std::string>& symbols() {
   static const std::map<std::string, std::string> table{
       {"k", "coupling.coefficient"},

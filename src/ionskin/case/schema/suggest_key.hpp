@@ -5,9 +5,9 @@
 
 namespace ionskin {
 
-/// The key that was probably meant by a word that is none: one whose last name it is or nearly is,
-/// one that is spelt nearly so, or the one with this symbol in the pages, such as k. Empty when
-/// there is none. Dashes count as underscores.
+/// Finds the key of a case that a user probably meant by a word that is no key: the key with this
+/// symbol in docs/model.md, such as k; a key of similar spelling; or a key whose last name is
+/// similar. Empty if there is none. Dashes count as underscores.
 std::string suggest_key(const std::string& word);
 
 } // namespace ionskin

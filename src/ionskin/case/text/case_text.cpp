@@ -68,7 +68,7 @@ Place CaseText::place(std::size_t begin, std::size_t length) const {
   place.length = std::min(length, line_end - position);
   if (line_end > line_begin && original_[line_end - 1] == '\r')
     --line_end;
-  // A list of thousands may stand in one line, and every entry has a place.
+  // Only a part of a long line is stored: every entry of a long list in one line has a position.
   constexpr std::size_t kept = 400;
   place.cut = position > line_begin + kept ? position - line_begin - kept : 0;
   const std::size_t shown_end = std::min(line_end, position + std::min(place.length, kept) + kept);

@@ -26,12 +26,12 @@ std::string_view without_mark(std::string_view text) {
   return text.starts_with(utf8_mark) ? text.substr(utf8_mark.size()) : text;
 }
 
-/// Offset behind the line end at `at`.
+/// Offset of the first byte after the line end (LF, CRLF or CR) at the offset `at`.
 std::size_t behind_line_end(std::string_view text, std::size_t at) {
   return at + (text.substr(at, 2) == "\r\n" ? 2 : 1);
 }
 
-/// Sign, digits, and dots or commas between or before them; perhaps an exponent.
+/// True if a cell consists of digits with dots or commas, and perhaps a sign and an exponent.
 bool looks_like_number(std::string_view text) {
   if (text.starts_with('-') || text.starts_with('+'))
     text.remove_prefix(1);
@@ -48,7 +48,7 @@ bool looks_like_number(std::string_view text) {
   return text.empty();
 }
 
-/// "1,234": one to three digits, not 0, before a comma, and three behind it.
+/// True for "1,234": one to three digits, the first not 0, before a comma, and three behind it.
 bool may_group_thousands(std::string_view number) {
   const std::size_t first = std::min(number.find_first_of(digits), number.size());
   const std::size_t comma = number.find(',');
@@ -67,7 +67,7 @@ bool commas_are_decimal(std::string_view line) {
 
 CsvFile::CsvFile(const std::string& path, const std::string& kind)
     : path_(path), text_(base::read_text_file(path, kind)) {
-  // Bytes of 0 are half of the ASCII letters in UTF-16, and in no text of UTF-8.
+  // Every second byte of ASCII characters in UTF-16 is 0; text in UTF-8 has no such byte.
   if (text_.starts_with("\xFF\xFE") || text_.starts_with("\xFE\xFF") ||
       text_.find('\0') != text_.npos)
     throw UserError(fmt::format(
@@ -127,13 +127,13 @@ void CsvFile::end_line() {
   }
 }
 
-/// Finds the separator in the first row that is not empty.
+/// Detects the separator from the first row that is not empty, or from Excel's "sep=;".
 void CsvFile::find_separator() {
   const std::size_t end = std::min(text_.find_first_of(line_ends, at_), text_.size());
   const std::string line = base::trimmed(std::string_view(text_).substr(at_, end - at_));
   if (line.empty())
     return;
-  if (line.starts_with("sep=") && line.size() == 5) { // Excel's own
+  if (line.starts_with("sep=") && line.size() == 5) { // written by Excel
     separator_ = line[4];
     at_ = end;
     end_line();
@@ -173,7 +173,7 @@ std::string CsvFile::cell() {
   return base::trimmed(std::string_view(text_).substr(begin, at_ - begin));
 }
 
-/// The quote is at the place.
+/// Reads a quoted cell; the opening quote is at the offset `at_`.
 std::string CsvFile::quoted() {
   std::string content;
   for (++at_;; ++at_) {
@@ -185,7 +185,7 @@ std::string CsvFile::quoted() {
         break;
       ++at_;
     }
-    // A line end of two letters counts with its second one.
+    // A line end CRLF is counted at its LF.
     if (text_[at_] == '\n' || (text_[at_] == '\r' && text_.compare(at_, 2, "\r\n") != 0))
       ++next_line_;
     content += text_[at_];
@@ -194,7 +194,7 @@ std::string CsvFile::quoted() {
   while (!at_end_of_line() && text_[at_] != separator_)
     ++at_;
   const std::string behind = base::trimmed(std::string_view(text_).substr(begin, at_ - begin));
-  // "\"x\" [mm]": a quoted name with its unit.
+  // Text behind the quotes belongs to the cell: a quoted name with its unit, "\"x\" [mm]".
   return base::trimmed(content) + (behind.empty() ? "" : " " + behind);
 }
 
@@ -203,7 +203,7 @@ void CsvFile::take_decimal_comma(std::string& cell) {
     return;
   const auto commas = std::ranges::count(cell, ','), points = std::ranges::count(cell, '.');
   constexpr const char* remedy = "write decimal points, and thousands without marks between them";
-  if (commas + points != 1) // without marks; or a date, or no number, which its reader tells
+  if (commas + points != 1) // nothing to decide, or no number, which the caller refuses
     return;
   if (commas == 1 && separator_ != ';' && may_group_thousands(cell))
     refuse(fmt::format("\"{}\" may be a number of thousands or one with a decimal comma",

@@ -12,7 +12,8 @@
 namespace ionskin {
 namespace {
 
-/// pandas names an index that it has read back without a name.
+/// True if a column has a name. "Unnamed: 0" counts as none: pandas writes it for an index without
+/// one.
 bool is_name(std::string_view title) {
   return !title.empty() && !title.starts_with("Unnamed: ");
 }

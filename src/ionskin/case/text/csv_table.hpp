@@ -10,33 +10,38 @@
 
 namespace ionskin {
 
-/// A CSV file with names in its first row. Columns without a name are left out where they are empty
-/// (a separator at the end of the lines) or count the rows (the index of pandas), and refused
-/// elsewhere.
+/// Reads a CSV file whose first row holds the names of the columns. A column without a name is
+/// skipped if it is empty (a separator ends each line) or counts the rows (the index of pandas),
+/// and refused otherwise.
 class CsvTable {
 public:
-  /// Throws as `CsvFile` does. @param kind what the file is in messages
+  /// Reads the header.
+  /// @param kind kind of the file, for messages: "waypoint"
+  /// Throws UserError as `CsvFile` and `CsvFile::next` do.
   CsvTable(const std::string& path, const std::string& kind);
 
-  /// Titles of the columns with a name, in their order; empty where the file has no row.
+  /// Titles of the columns that have a name, in their order; empty if the file has no row.
   const std::vector<CsvTitle>& titles() const { return titles_; }
 
-  /// The cells below `titles` of the next row; nothing at the end of the file. Throws UserError
-  /// with the line where a row has more or fewer cells than the header has.
+  /// Reads the next row and returns one cell for each entry of `titles`; empty at the end of the
+  /// file. Throws UserError with the line as `CsvFile::next` does, when the row has more or fewer
+  /// cells than the header, and when a column without a name holds anything but row numbers.
   std::optional<std::vector<std::string>> next();
 
-  std::size_t line() const { return file_.line(); }
+  std::size_t line() const { return file_.line(); } ///< line of the row read last, from 1
+  /// Throws UserError that names the file and `line()`.
   [[noreturn]] void refuse(const std::string& problem, const std::string& remedy) const {
     file_.refuse(problem, remedy);
   }
 
 private:
+  /// Skips a cell of a column without a name, or throws UserError.
   void pass_over(std::size_t column, const std::string& cell);
 
   CsvFile file_;
   std::vector<CsvTitle> titles_;
-  std::vector<bool> named_; ///< per column of the file
-  std::optional<long long> counted_;
+  std::vector<bool> named_;          ///< true for columns that have a name, [column of the file]
+  std::optional<long long> counted_; ///< last row number in a first column without a name
 };
 
 } // namespace ionskin

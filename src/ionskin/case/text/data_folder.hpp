@@ -5,8 +5,8 @@
 
 namespace ionskin {
 
-/// The folder with `cases` and `materials`: that of the environment variable IONSKIN_DATA, or else
-/// that of the installation.
+/// Path of the data folder, which contains the folders `cases` and `materials`: the environment
+/// variable IONSKIN_DATA if it is set, else the folder of the installation.
 std::filesystem::path data_folder();
 
 } // namespace ionskin

@@ -14,7 +14,8 @@
 namespace ionskin {
 namespace {
 
-/// A number of as many digits as an epoch in nanoseconds has; not a number for an empty cell.
+/// Parses a number with all digits of a time stamp in nanoseconds. NaN for an empty cell and for
+/// numbers that are not finite; empty if the cell is no number.
 std::optional<long double> number(const std::string& cell) {
   if (cell.empty())
     return std::numeric_limits<long double>::quiet_NaN();
@@ -83,7 +84,8 @@ std::vector<NumberColumn> read_number_table(const std::string& path, const std::
   std::vector<Column> columns(header.begin(), header.end());
   std::size_t rows = 0;
   for (; row; row = file.next(), ++rows) {
-    while (row->size() > columns.size() && row->back().empty()) // separators at the end of lines
+    while (row->size() > columns.size() &&
+           row->back().empty()) // ignore separators at the end of lines
       row->pop_back();
     if (row->size() != columns.size())
       file.refuse(fmt::format("{} entries under {} columns", row->size(), columns.size()),

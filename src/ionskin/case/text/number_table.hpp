@@ -8,22 +8,24 @@
 
 namespace ionskin {
 
-/// A column of a recording. What a stamp of an epoch in nanoseconds says within a second is lost in
-/// a double, so that values are kept as distances from the first one.
+/// One column of a recording, in the unit of its title. Values are stored as differences from the
+/// first one, because a double cannot resolve time stamps that count nanoseconds of an epoch.
 struct NumberColumn {
   CsvTitle title;
-  bool numbers = true;             ///< false where a cell is neither a number nor empty
-  double first = 0;                ///< the first value that is there
-  std::vector<double> since_first; ///< one entry per row; not a number where the cell is empty
-  std::string text;                ///< the first cell that is neither a number nor empty
-  std::size_t text_line = 0;       ///< where it stands, from 1; 0 without one
+  bool numbers = true; ///< true if all cells are numbers or empty, and not all empty
+  double first = 0;    ///< first number of the column; 0 without one
+  std::vector<double>
+      since_first;           ///< if `numbers`: value minus `first`, [row]; NaN for an empty cell
+  std::string text;          ///< first cell that is neither a number nor empty
+  std::size_t text_line = 0; ///< line of `text` in the file, from 1; 0 without one
 };
 
-/// Reads a table of any columns, as robots record it: what `CsvFile` reads, with a header that may
-/// begin with # (EuRoC) or % (rostopic). Cells such as "nan" count as empty; a column without
-/// numbers, or without a name, is there with `numbers` false.
-/// Throws UserError with the line where a row has more or fewer cells than the header, and where
-/// there is no header or no row.
+/// Reads a CSV file of any columns, as robots record it, by the rules of `CsvFile`. The header may
+/// begin with # (EuRoC) or % (rostopic). Cells such as "nan" count as empty. A column without
+/// numbers or without a name is returned with `numbers` false.
+/// @param kind kind of the file, for messages
+/// Throws UserError as `CsvFile` does, and with the line when a row has more or fewer cells than
+/// the header, or when the file has no header or no row.
 std::vector<NumberColumn> read_number_table(const std::string& path, const std::string& kind);
 
 } // namespace ionskin

@@ -18,7 +18,7 @@ bool starts_code_point(char byte) {
   return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80U;
 }
 
-// Blanks as wide as the text on a terminal: tabs stay, one blank per code point otherwise.
+// Makes blanks as wide as a text on a terminal: tabs stay, every other code point becomes a blank.
 std::string blanks_under(const std::string& text) {
   std::string blanks;
   for (const char byte : text)
@@ -27,7 +27,7 @@ std::string blanks_under(const std::string& text) {
   return blanks;
 }
 
-// The part of a long line that is shown, as it is printed: escaped bytes take more room.
+// The part of a line that is shown, in printable form: before, at and after the marked span.
 struct Window {
   std::string before, marked, after;
 };
@@ -77,7 +77,7 @@ bool Problems::full() const {
 void Problems::add(const std::string& message, const std::vector<Pointer>& pointers,
                    const std::string& remedy) {
   if (full()) {
-    texts_.emplace_back(); // is only counted
+    texts_.emplace_back(); // only counted
     return;
   }
   std::string text = message;

@@ -7,41 +7,44 @@
 
 namespace ionskin {
 
-/// A span of one line of a case file or of a `--set` argument, to point at in a message.
+/// Position in a user's text, as an error message shows it: a span of one line of a file or of a
+/// `--set` argument.
 struct Place {
   std::string origin;     ///< file name, or "command line"
   std::size_t line = 0;   ///< from 1; 0 for a --set argument, which has no lines
   std::size_t column = 1; ///< from 1, in bytes
   std::size_t length = 1; ///< in bytes
-  std::string line_text;  ///< of a long line what stands around the place
-  std::size_t cut = 0;    ///< bytes of the line before `line_text`
+  std::string line_text;  ///< text of the line; of a long line the part around the span
+  std::size_t cut = 0;    ///< bytes of the line that were cut before `line_text`
 };
 
-/// A place and what is to be said about it.
+/// A position to point at in an error message, with an optional note on it.
 struct Pointer {
   Place place;
-  std::string note;
+  std::string note; ///< printed behind the caret; may be empty
 };
 
-/// Several lines: origin, line number, the line itself and a caret under the place.
+/// Formats a position as several lines of a message: origin and line number, the line itself, and
+/// carets under the span.
 std::string excerpt(const Pointer& pointer);
 
-/// The mistakes found in one case, each with its places and its remedy, so that a user sees all at
-/// once.
+/// Collects the mistakes found in one case, each with its positions and its remedy, so that the
+/// user sees all of them at once.
 class Problems {
 public:
-  /// Adds a mistake.
-  /// @param message what is wrong, with the actual value
-  /// @param pointers the offending places; two when two keys conflict; may be empty
-  /// @param remedy what to do; may be empty when the message says it
+  /// Adds a mistake. If `full()`, it is only counted.
+  /// @param message the mistake, with the actual value
+  /// @param pointers its positions; two when two keys conflict; may be empty
+  /// @param remedy advice to the user; may be empty when the message says it
   void add(const std::string& message, const std::vector<Pointer>& pointers,
            const std::string& remedy);
 
   bool empty() const { return texts_.empty(); }
-  /// True if further problems are only counted: what costs work need not be made for them.
+  /// True if further mistakes are only counted and not shown, so that callers can skip costly
+  /// messages.
   bool full() const;
-  /// Throws UserError with all problems when there are any.
-  /// @param file the case, for the heading of several problems
+  /// Throws UserError with all mistakes if there are any; else does nothing.
+  /// @param file name of the case, for the heading above several mistakes
   void throw_if_any(const std::string& file) const;
 
 private:

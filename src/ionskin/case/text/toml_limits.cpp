@@ -20,12 +20,13 @@ bool ends_word(char letter) {
   return std::string_view(" \t\r\n,=[]{}#\"'").find(letter) != std::string_view::npos;
 }
 
-/// One pass over the text that knows strings, comments, brackets and words, and no more of TOML.
+/// Scans a text once. It recognises only strings, comments, brackets and words of TOML.
 class TextScan {
 public:
   TextScan(const std::string& text, const std::string& file) : text_(text), file_(file) {}
 
-  /// @return see `check_toml_limits`
+  /// Checks the whole text.
+  /// @return as of `check_toml_limits`
   std::vector<std::size_t> run() {
     check_bytes();
     while (at_ < text_.size())
@@ -152,7 +153,7 @@ private:
            "shorten it");
   }
 
-  // Text before = or within a header is a key, as is a part of one.
+  // True if the word or string that ends at `end` is a key or a part of one: = or a dot follows.
   bool is_key(std::size_t end) const {
     const std::size_t next = text_.find_first_not_of(" \t", end);
     return next != std::string::npos && (text_[next] == '=' || text_[next] == '.');
@@ -200,8 +201,9 @@ private:
   const std::string& file_;
   static constexpr std::size_t long_line = 200;
   std::size_t at_ = 0, dots_ = 0, values_ = 0, line_begin_ = 0, braced_ = 0;
-  std::string open_;                ///< brackets that are open
-  std::vector<std::size_t> breaks_; ///< breaks that keep every line near `long_line`
+  std::string open_; ///< opening brackets that are not closed yet, outermost first
+  std::vector<std::size_t>
+      breaks_; ///< offsets at which lines longer than `long_line` may be broken
 };
 
 } // namespace

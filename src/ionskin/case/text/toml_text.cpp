@@ -17,7 +17,7 @@ namespace ionskin {
 
 namespace {
 
-// toml11 names its own functions in its messages; users need not see them.
+// Removes the name of the function of toml11 from one of its messages.
 std::string without_function_name(const std::string& message) {
   const std::string prefix = "[error]", library = "toml::";
   if (!message.starts_with(prefix))
@@ -35,9 +35,9 @@ std::size_t skip_blanks_back(const std::string& text, std::size_t end) {
   return end;
 }
 
-// For every value toml11 looks at the whole line that it stands in, and copies it more than once: a
-// list in one line would take the square of its length. Between the entries of a list a line may
-// end, so it is parsed with newlines there, and positions are reported without them.
+// Inserts newlines into a text at the given positions, between entries of lists, and returns their
+// offsets in `breaks`. toml11 copies the whole line of every value, so that a long list in one line
+// would take time quadratic in its length.
 std::string with_breaks(const std::string& text, const std::vector<std::size_t>& positions,
                         std::vector<std::size_t>& breaks) {
   std::string parsed;
@@ -52,7 +52,8 @@ std::string with_breaks(const std::string& text, const std::vector<std::size_t>&
   return parsed.append(text, begin);
 }
 
-// The region's own source_location would count the lines before the value and copy its own.
+// Returns the region of a value in its text. `toml::value::location` would be slow: it counts the
+// lines before the value and copies its line.
 const toml::detail::region* region_of(const toml::value& value) {
   return dynamic_cast<const toml::detail::region*>(toml::detail::get_region(value));
 }
@@ -64,14 +65,14 @@ std::size_t offset_of(const std::string& text, const toml::source_location& wher
   return std::min<std::size_t>(line_begin + where.column() - 1, text.size());
 }
 
-/// toml11 reads numbers by streams, which write them as std::locale of the host does: "0.3" is 3
-/// where dots group thousands.
+/// True if the global std::locale has another decimal point than a dot, or groups thousands. toml11
+/// parses numbers by streams, and would then read "0.3" as 3.
 bool host_has_other_decimals() {
   const auto& marks = std::use_facet<std::numpunct<char>>(std::locale());
   return marks.decimal_point() != '.' || !marks.grouping().empty();
 }
 
-/// Reads the numbers again where they stand.
+/// Parses all floating-point numbers of a tree again from their text, independent of the locale.
 void read_decimals(toml::value& value) {
   if (value.is_table()) {
     for (auto& [key, entry] : value.as_table())
@@ -119,7 +120,7 @@ void TomlText::refuse(const std::string& message, const toml::source_location* w
   const std::string what = "the case is not valid TOML: " + without_function_name(message);
   if (breaks_.empty() || where == nullptr)
     throw UserError(fmt::format("{}\n  = {}", what, remedy_of_line));
-  // toml11's excerpt would tell lines that the file does not have.
+  // The excerpt of toml11 would count the inserted newlines as lines.
   Problems problems;
   const std::size_t begin = in_text(offset_of(parsed, *where));
   problems.add(what.substr(0, what.find('\n')),

@@ -12,42 +12,46 @@
 
 namespace ionskin {
 
-/// First byte and length of what defines a value: the value itself, or the header of its table.
+/// Span of a text that defines a value: the value itself, or the header of a table. Offset and
+/// length in bytes.
 struct TextSpan {
   std::size_t begin = 0, length = 0;
 };
 
-/// The values of a TOML text and where they stand in it. Takes time in proportion to the text, also
-/// where a long list stands in one line.
+/// A parsed TOML text: its tree of values, and the span of each value in the text. Parsing takes
+/// time in proportion to the length of the text, even if a long list is written on one line.
 class TomlText {
 public:
-  /// Parses a whole case.
-  /// @param file name shown in messages
-  /// Throws UserError with an excerpt when the text is not TOML or beyond its limits.
+  /// Parses a whole text.
+  /// @param file name of the case, for messages
+  /// Throws UserError with an excerpt when the text is not TOML or exceeds `toml_limits`.
   TomlText(std::string text, const std::string& file);
 
   const std::string& text() const { return text_; }
   const toml::value& root() const { return root_; }
-  /// This text with another tree of its values, which still stand where they stood.
+  /// Copies this text with another tree.
+  /// @param root rearrangement of values of this text, so that their spans stay valid
   TomlText with_root(toml::value root) const;
 
-  /// Span of a value of this text.
+  /// Finds the span of a value of this text; {0, 0} if its origin is unknown.
   TextSpan span(const toml::value& value) const;
-  /// The key that stands before a value ("length" of `length = "15 mm"`), or the value's own span
-  /// for table headers and array elements.
+  /// Finds the span of the key before a value ("length" of `length = "15 mm"`), or the span of the
+  /// value itself for headers of tables and entries of lists.
   TextSpan key_span(const toml::value& value) const;
-  /// Children of a table in the order of the text.
+  /// Lists name and value of the entries of a table in the order of the text. The pointers refer to
+  /// `table`.
   std::vector<std::pair<std::string, const toml::value*>>
   children_in_order(const toml::value& table) const;
 
 private:
+  /// Converts an offset of the parsed text to one of the original text.
   std::size_t in_text(std::size_t parsed) const;
   [[noreturn]] void refuse(const std::string& message, const toml::source_location* where,
                            const std::string& parsed) const;
 
   std::string text_, file_;
-  std::vector<std::size_t>
-      breaks_; ///< places where the text that is parsed has newlines of its own
+  /// Offsets at which newlines were inserted into the text for the parser.
+  std::vector<std::size_t> breaks_;
   toml::value root_;
 };
 
