@@ -13,11 +13,12 @@ namespace {
 constexpr double hertz_peak = 1.5; // largest over mean pressure of a round contact
 constexpr double margin = 1.5;     // of what is said to be sure
 
-/// Layers in series, per area [m/Pa].
+/// Compliances of layers in series under a load per area [m/Pa]. t: thickness, M: oedometric
+/// modulus, G: shear modulus, a: half width of the contact.
 struct Compliances {
-  double confined = 0; ///< t / M of each, M the oedometric modulus
-  double squeezed = 0; ///< t / M + t^3 / (4 G a^2) of each, bonded strips of half width a
-  double shear = 0;    ///< t / G
+  double confined = 0; ///< sum of t / M: layers that cannot move sideways
+  double squeezed = 0; ///< sum of t / M + t^3 / (4 G a^2): bonded strips squeezed out sideways
+  double shear = 0;    ///< sum of t / G
 };
 
 Compliances compliances(const Skin& skin, double half_width) {

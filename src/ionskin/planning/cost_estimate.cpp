@@ -22,7 +22,7 @@ double ion_seconds(const Case& input, const electrochemistry::ProblemSize& ions,
          static_cast<double>(ions.unknowns) * static_cast<double>(ions.steps) / threads;
 }
 
-/// Cost of a case without contact.
+/// Cost of a case with a prescribed load, which has no contact.
 CostEstimate estimate_ion_cost(const Case& input, int threads) {
   const auto ions = electrochemistry::estimate_problem_size(input);
   CostEstimate cost;

@@ -20,7 +20,7 @@ constexpr double taxel_row = 80;    // by taxel, in either
 
 constexpr double worth_telling = 1e9;
 
-/// Signals and readings, with those of the taxels.
+/// Size of the tables of signals and readings, those of taxels included [bytes].
 double tables_size(const Case& input, std::size_t ion_steps) {
   const double readings = run_duration(input).value_or(0) / input.readout.sample_interval,
                columns = input.readout.is_cut() ? 2.5 : 1.0, // with those of their circuits
