@@ -19,14 +19,17 @@ namespace {
 
 constexpr double cells_of_longer = 2048;
 
-/// Means over cells of equal length, from the cell of index `first` on; a cell's weight is the part
-/// of it that is known.
+/// Means of a signal over intervals of equal length on the time axis, from interval number `first`
+/// on; the weight of each is the part of it that is known, 0 to 1.
 struct Cells {
   std::int64_t first = 0;
   std::vector<double> values, weights;
 };
 
-/// A mean stands for the interval that ends at its row; between instants values are linear.
+/// Averages data over intervals. A mean holds for the interval that ends at its row; other values
+/// are linear between their rows.
+/// @param begin of interval 0 [s]
+/// @param length of an interval [s]
 Cells data_cells(const FitData& data, double begin, double length) {
   const std::vector<double> starts = interval_starts(data, begin);
   Cells cells;
@@ -76,7 +79,8 @@ std::vector<double> run_cells(const FitData& data, const electrochemistry::IonSo
   return predict(sampled, ions);
 }
 
-/// Values as the data's rows see them: means over as many cells as an interval of theirs has.
+/// Running means of values over as many intervals as a row of the data spans.
+/// @param cells number of intervals that a row spans
 std::vector<double> smoothed(const std::vector<double>& values, double cells) {
   const auto width = static_cast<std::size_t>(std::max(1.0, std::round(cells)));
   std::vector<double> result;
@@ -93,7 +97,7 @@ double correlation_at(const FitData& data, const electrochemistry::IonSolution& 
   return correlation(data.values, predict_shifted(data, ions, time_shift));
 }
 
-/// The best shift within a step of one, with its sign.
+/// Best shift within one step of a given shift, for the sign of its correlation.
 Alignment refined(const FitData& data, const electrochemistry::IonSolution& ions,
                   const Alignment& about, double step) {
   constexpr int most_parts = 128, parts_of_row = 64, bits = 26;

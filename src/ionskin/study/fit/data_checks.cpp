@@ -22,7 +22,7 @@ constexpr double too_large = 30;     // likewise: no search gets there in reason
 constexpr double too_small = 1e-6;   // likewise
 constexpr double level_share = 1e-9; // of the largest value: values that differ by less are one
 
-/// Keys that move the signal in time.
+/// True if the model frees keys that move the signal in time.
 bool frees_motion(const FitModel& model) {
   return std::ranges::any_of(model.parameters(),
                              [](const auto& one) { return one.key.starts_with("motion."); });

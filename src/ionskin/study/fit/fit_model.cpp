@@ -39,7 +39,7 @@ namespace {
                          : fmt::format("did you mean {}?", nearest));
 }
 
-/// The magnitudes that a key's range allows to the sign of its value.
+/// Sets the range of the magnitude that the key's range allows for the sign of its value.
 void set_bounds(const Range& range, FitParameter& parameter) {
   const bool positive = parameter.start > 0;
   const double near = positive ? range.lower : -range.upper;
@@ -48,7 +48,7 @@ void set_bounds(const Range& range, FitParameter& parameter) {
   parameter.highest = far;
 }
 
-/// The fit finds where such a key starts by the data.
+/// Parameter of a key of the data; its start is found from the data later.
 FitParameter make_data_parameter(const std::string& key) {
   if (!is_data_key(key)) {
     refuse(key, "unknown key of the data", fmt::format("known: {}", fmt::join(data_keys(), ", ")));

@@ -39,7 +39,8 @@ double lag_correlation(const Eigen::VectorXd& residuals) {
   return power > 0 ? residuals.head(n - 1).dot(residuals.tail(n - 1)) / power : 0.0;
 }
 
-/// Errors and correlations from the singular values; what lies in the null space has no bound.
+/// Adds standard errors and correlations from the singular values; a parameter with a part in the
+/// null space has an infinite error.
 void add_covariance(const Eigen::JacobiSVD<Eigen::MatrixXd>& svd, double deviation,
                     FitStatistics& statistics) {
   const Eigen::VectorXd& singular = svd.singularValues();

@@ -62,7 +62,7 @@ std::optional<std::vector<double>> Misfit::fitted(const std::vector<double>& coo
   return ions ? std::optional(predict(data_, *ions, model_.adjustment_at(point))) : std::nullopt;
 }
 
-/// The signal is linear in all of them but the shift.
+/// Derivatives by a key of the data. The prediction is linear in all of them but the time shift.
 std::vector<double> Misfit::by_data(const std::vector<double>& coordinates,
                                     std::size_t parameter) const {
   const bool shift = model_.parameters()[parameter].key == "data.time_shift";

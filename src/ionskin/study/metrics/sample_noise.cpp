@@ -17,7 +17,7 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// Bandwidth of an instrument that averages over its interval, over its rate.
+/// Bandwidth of an averaging instrument without a bandwidth of its own, over its sampling rate [1].
 constexpr double bandwidth_over_rate = 10;
 
 Complex admittance(const circuits::Admittance& beside, double frequency) {

@@ -47,7 +47,8 @@ results::ExistingFolder existing_folder(const RunOptions& options) {
   return takes_up ? results::ExistingFolder::resume : results::ExistingFolder::refuse;
 }
 
-/// Finished by this build, with all results as they were written.
+/// True if a manifest says that this build of the program finished the case with this hash, and all
+/// its result files are unchanged.
 bool is_whole(const results::Manifest& manifest, const std::string& hash,
               const std::filesystem::path& folder) {
   const auto& files = manifest.files;
@@ -61,7 +62,7 @@ bool is_whole(const results::Manifest& manifest, const std::string& hash,
          });
 }
 
-/// Text of all that a slider, its motion and its contact decide of Study 1.
+/// Text of everything about a slider, its motion and its contact that decides Study 1.
 std::string slider_text(const Slider& slider, const Motion& motion, const Contact& contact) {
   std::string text = fmt::format(" slider {} {} {}", slider.shape, slider.size, slider.start);
   text += fmt::format(" pose {} {} {}", slider.pose.roll, slider.pose.pitch, slider.pose.yaw);

@@ -29,7 +29,7 @@ void write(const Case& input, RunOutputs& outputs, double start, RunFolder& fold
   }
 }
 
-/// Signals of one cycle, up to where the path ends.
+/// Signals of the first cycle, up to the end of the path that was solved.
 Signals signals_of(const Case& input, const RunOptions& options,
                    const mechanics::ContactSolution& path) {
   Case once = input;

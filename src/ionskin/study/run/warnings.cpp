@@ -76,7 +76,8 @@ void warn_about_water(const Case& input, const electrochemistry::IonSolution& io
   }
 }
 
-/// A column of the transport grid that an edge of a taxel cuts shares its charge by area.
+/// Warns where an edge of a taxel cuts a column of the transport grid, whose charge is then divided
+/// by area.
 void warn_about_cut_columns(const std::vector<Taxel>& taxels,
                             const electrochemistry::TransportGrid& grid,
                             std::vector<std::string>& warnings) {
@@ -164,7 +165,8 @@ void warn_about_missing_errors(const ErrorEstimate& errors, std::vector<std::str
   }
 }
 
-/// Where k of the case makes the response nonlinear, or empties a column of cations.
+/// Warns where the coupling coefficient k makes the response nonlinear, or depletes the cations at
+/// an electrode.
 void warn_about_strong_coupling(const Case& input, const electrochemistry::IonSolution& ions,
                                 const readout::SignalTable& signals,
                                 std::vector<std::string>& warnings) {

@@ -14,7 +14,7 @@
 namespace ionskin::study {
 namespace {
 
-/// The upper 53 of 64 bits as a number in [0, 1).
+/// Upper 53 of 64 random bits as a number in [0, 1).
 double fraction(std::uint64_t bits) {
   return static_cast<double>(bits >> 11) * 0x1p-53;
 }
