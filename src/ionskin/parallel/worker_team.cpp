@@ -85,8 +85,7 @@ void WorkerTeam::run(const Loop& loop) {
     loop.call(loop.body, 0, loop.count, 0);
     return;
   }
-  // The ticket is closed, so no worker reads what is being changed here and then takes a block of
-  // it.
+  // The ticket is closed, so that no worker can take a block of a loop that is still being set up.
   loop_.store(&loop, std::memory_order_relaxed);
   blocks_.store(loop.blocks, std::memory_order_relaxed);
   finished_.store(0, std::memory_order_relaxed);
@@ -96,7 +95,7 @@ void WorkerTeam::run(const Loop& loop) {
   ticket_.notify_all();
   take_blocks(0);
   const auto own_end = Clock::now();
-  // A yield may cost a whole time slice, so it comes late.
+  // A yield may cost a whole time slice, so it comes only after `patience` checks.
   for (int looks = 0; finished_.load(std::memory_order_acquire) != loop.blocks; ++looks) {
     looks < patience ? relax() : std::this_thread::yield();
   }

@@ -11,7 +11,7 @@ namespace ionskin::planning {
 namespace {
 
 constexpr double hertz_peak = 1.5; // largest over mean pressure of a round contact
-constexpr double margin = 1.5;     // of what is said to be sure
+constexpr double margin = 1.5;     // factor of safety of the lower bound
 
 /// Compliances of layers in series under a load per area [m/Pa]. t: thickness, M: oedometric
 /// modulus, G: shear modulus, a: half width of the contact.
@@ -53,7 +53,7 @@ ContactEstimate estimate_contact(const Case& input, const std::optional<mesh::Fo
   const bool sharp = input.slider.sharp();
   const mesh::Footprint contact = found ? *found : mesh::expected_footprint(input);
   const double half_width = std::min(contact.half_size[0], contact.half_size[1]);
-  const double part = sharp ? 4.0 : std::numbers::pi; // of the product of both half sizes
+  const double part = sharp ? 4.0 : std::numbers::pi; // area over the product of both half sizes
   ContactEstimate estimate;
   estimate.area = part * contact.half_size[0] * contact.half_size[1];
   const Compliances layers = compliances(input.skin, half_width);
@@ -69,7 +69,7 @@ ContactEstimate estimate_contact(const Case& input, const std::optional<mesh::Fo
         std::min(input.contact.friction * pressure, longest_slide(input) / layers.shear);
     const double depth =
         input.skin.thickness() - input.skin.core_bottom() - input.skin.core_thickness();
-    const double reach = half_width / (half_width + depth); // the traction spreads below it
+    const double reach = half_width / (half_width + depth); // the traction spreads on its way down
     estimate.least_shear = reach * traction / modulus / margin;
   }
   return estimate;

@@ -22,8 +22,8 @@
 namespace ionskin::planning {
 namespace {
 
-constexpr double large_indentation = 0.2; // of the skin's thickness
-constexpr double least_response = 0.1;    // of the ions' relaxation time
+constexpr double large_indentation = 0.2; // limit of the indentation over the skin's thickness
+constexpr double least_response = 0.1;    // shortest run over the ions' relaxation time
 
 /// Smallest and largest fixed charge under the coupling law, relative to the charge at rest [1].
 /// Below the slider the core is sheared by `shear` at its top and by half of it at its bottom;

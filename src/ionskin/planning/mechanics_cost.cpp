@@ -26,8 +26,8 @@ namespace ionskin::planning {
 namespace {
 
 // Processor time [s], measured with AVX2 on cases/paper.toml, cases/finger.toml and
-// cases/waypoints.toml, with a soft finger, a height map, and sweeps of friction, which tell skin
-// and path apart.
+// cases/waypoints.toml, with a soft finger, a height map, and sweeps of friction, which separate
+// the cost of the skin from that of the path.
 constexpr double seconds_per_skin = 0.38, seconds_per_pair_of_cells = 5.7e-6;
 /// Additional time of a skin per `skin_size` [s], measured near an end of the skin.
 constexpr double seconds_per_reach = 5e-4;
@@ -68,7 +68,7 @@ double skin_size(const Case& input, const mesh::SkinMesh& mesh, const MotionBox&
 /// Memory of the modes on the sides and ends of the skin and of their strain in the core [bytes].
 /// Measured on skins of 15 x 2.5 to 15 x 18 mm2 and 45 x 6 mm2, 0.2 mm thick, and beside a side.
 double skin_memory(const mesh::SkinMesh& mesh, double size) {
-  const double bytes = mesh.half_model() ? 3.1e5 : 9e5; // of even modes alone, or of all
+  const double bytes = mesh.half_model() ? 3.1e5 : 9e5; // with even modes only, or with all modes
   return bytes * size;
 }
 
@@ -201,7 +201,8 @@ MechanicsCost estimate_sliders_cost(const Case& input, int threads) {
     }
   }
   const handover::CoreGrid grid = handover::fixed_core_grid(sliders, all);
-  const double values = (moves_water(input) ? 4.0 : 1.0) * // twice the levels and channels
+  // With water, the history has twice as many levels and channels.
+  const double values = (moves_water(input) ? 4.0 : 1.0) *
                         static_cast<double>((grid.x_edges.size() - 1) * (grid.y_edges.size() - 1) *
                                             grid.z_lines.size());
   const double samples = kept + ways / handover::fixed_cell_width(input);
@@ -232,12 +233,12 @@ MechanicsCost estimate_mechanics_cost(const Case& input, int threads,
   cost.histories = own.history_memory(steps);
   double sought = 0, path = own.path_seconds(steps), strain = own.strain_seconds(steps);
   double beside = 0,
-         path_beside = 0; // of the coarser solutions, which a thread of their own solves
+         path_beside = 0; // coarser solutions, on a thread of their own
   for (const char* name : coarser_names(input)) {
     const Case coarser_input = mechanics::coarser_case(input, name);
     try {
       const GridCost coarser(coarser_input, {coarser_input, mesh.footprint()});
-      // `path` steps over the same cells, half as finely.
+      // The coarser solution `path` uses the same cells, with half as many steps.
       const double paths = name == std::string_view(mechanics::coarser_solutions::mesh) ? 1.5 : 1;
       beside += coarser.skin_seconds();
       path_beside += paths * coarser.path_seconds(steps);
@@ -246,7 +247,7 @@ MechanicsCost estimate_mechanics_cost(const Case& input, int threads,
       if (!input.slider.sharp()) {
         sought += searched_grids * coarser.skin_seconds();
       }
-    } catch (const UserError&) { // its cells do not fit beside the slider: a run goes without
+    } catch (const UserError&) { // its cells do not fit beside the slider: a run does without it
     }
   }
   const double alone = own.skin_seconds() + path;

@@ -74,7 +74,7 @@ std::map<std::string, std::string> not_converging(const Case& input, const Signa
     for (const char* extreme : extremes) {
       const std::string name = extreme + readout::slider_suffix(i);
       const auto error = stated.find(name);
-      // Figures without a suffix are of the whole skin, but for a few.
+      // Metrics without a suffix, with few exceptions, are those of the whole skin.
       if (i == 0 ? any_sharp : has_sharp_edge(sliders[i])) {
         mark(name, "extreme under a sharp edge, where finer meshes raise stress and strain");
       } else if (error != stated.end() && error->second > most_of_extreme) {

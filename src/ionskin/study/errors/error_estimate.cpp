@@ -34,7 +34,7 @@ namespace {
 
 namespace parts = error_parts;
 
-// Names of the runs beside those of the coarser solutions.
+// Names of runs of Study 2. Runs driven by coarser solutions of Study 1 have the names of these.
 constexpr const char* own_run = "run";
 constexpr const char* grid_run = "grid"; ///< run with twice the mesh sizes of Study 2
 /// Run with twice the mesh sizes of Study 2 and up to twice its time steps.

@@ -22,7 +22,7 @@ using readout::SignalTable;
 /// difference of two coarse solutions changes sign from row to row.
 constexpr std::ptrdiff_t band_reach = 2;
 
-// See `safety`.
+// Order of convergence and factor of safety, see `safety`.
 constexpr double verified_order = 1.8, richardson_safety = 2.0;
 
 /// Metric or signal with a name; null if there is none.

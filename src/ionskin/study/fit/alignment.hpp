@@ -39,7 +39,7 @@ struct LinearFit {
   double gain = 0, baseline = 0, drift = 0, left = 0;
 };
 
-/// Fits data = gain * signal (+ baseline (+ drift * (t - first t))) by linear least squares.
+/// Fits data = gain * signal + baseline + drift * (t - first t) by linear least squares.
 /// @param signal predicted signal, one value per row of the data
 /// @param baseline, drift true if the term is fitted; otherwise it is 0
 LinearFit linear_fit(const FitData& data, const std::vector<double>& signal, bool baseline,

@@ -22,8 +22,8 @@ namespace {
 
 constexpr double gain_tolerance = 1e-7, step_tolerance = 1e-5; // relative
 constexpr int most_iterations = 50;
-constexpr int most_shortened = 12;   // trials of one step that lead too far, or to no solution
-constexpr double search_ends = 5e-5; // so close to the optimum, in a unit of a coordinate
+constexpr int most_shortened = 12;   // failed trials of one step: too far away, or without solution
+constexpr double search_ends = 5e-5; // distance from the optimum, in coordinates, at which it ends
 
 /// Reports the progress after each iteration, and ends the fit on an interrupt.
 class Watch : public ceres::IterationCallback {

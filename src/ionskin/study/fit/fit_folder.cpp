@@ -173,7 +173,7 @@ FitResult run_fit(const FitRequest& request, const FitOptions& options) {
   } catch (const Interrupted&) {
     note_state("interrupted");
     throw;
-  } catch (const UserError&) { // of the data: nothing was found that the next try could take up
+  } catch (const UserError&) { // a fault of the data: nothing that a next fit could reuse
     folder.discard();
     throw;
   } catch (...) {

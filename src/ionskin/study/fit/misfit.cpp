@@ -7,13 +7,14 @@
 namespace ionskin::study {
 namespace {
 
-// Difference of log parameters. Time steps change with the parameters, so differences must be well
-// above that.
+// Step of the differences in the logarithm of a parameter. Time steps change with the parameters,
+// and the step must be large enough that this does not show.
 constexpr double difference = 0.05;
-// Difference of a shift, in parts of the interval between rows: no solution changes with it.
+// Step of the differences in a time shift, relative to the interval between rows: no solution
+// changes with it.
 constexpr double shift_difference = 0.05;
-// Longest change of one step: where a key of the case changes by more than a factor of ten, or the
-// clock by more than an interval between rows, the derivatives tell nothing.
+// Longest step of the search, in coordinates. Derivatives do not predict a change of a key of the
+// case by more than a factor of ten, or of the clock by more than an interval between rows.
 constexpr double longest_log_step = 2.303, longest_shift_step = 1;
 
 } // namespace
@@ -152,7 +153,7 @@ bool Misfit::Evaluate(const double* const* parameters, double* residuals,
       }
     }
     return true;
-  } catch (...) { // must not pass through Ceres
+  } catch (...) { // exceptions must not pass through Ceres
     failure_ = std::current_exception();
     return false;
   }

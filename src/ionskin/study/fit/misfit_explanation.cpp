@@ -106,7 +106,7 @@ std::string outlying_rows(const FitData& data, const std::vector<double>& fitted
   if (!(left > worth_naming * variance)) {
     return "";
   }
-  std::vector<std::pair<double, double>> squares; // with the time
+  std::vector<std::pair<double, double>> squares; // squared residuals with their times
   for (std::size_t row = 0; row < fitted.size(); ++row) {
     squares.emplace_back(std::pow(data.values[row] - fitted[row], 2), data.time[row]);
   }
@@ -211,8 +211,8 @@ std::vector<std::string> explain_misfit(const FitModel& model, const FitData& da
                                         const electrochemistry::IonSolution& start,
                                         const electrochemistry::IonSolution& end,
                                         const std::vector<double>& point) {
-  constexpr double negligible = 1e-5; // of the variance
-  constexpr double lost = 1e-4;       // of the start's signal: below it rounding shows
+  constexpr double negligible = 1e-5; // share of the variance that need not be explained
+  constexpr double lost = 1e-4;       // share of the start's signal below which rounding shows
   const DataAdjustment adjustment = model.adjustment_at(point);
   const double left = left_of(data, predict(data, end, adjustment));
   const double variance =

@@ -98,7 +98,7 @@ readout::SignalInputs mechanical_inputs(const Case& input, const MechanicsRecord
     add_forces(mechanics, at_rows, inputs);
     add_further_sliders(input, mechanics, at_rows, inputs);
     if (!mechanics.drive_force_x.empty()) {
-      // The path of the motion is that of the drive's end; the slider goes its own way.
+      // The motion of the case moves the end of the drive; the slider follows as it was solved.
       inputs.drive_x = std::move(inputs.slider_x);
       inputs.drive_y = std::move(inputs.slider_y);
       inputs.slider_x = at_rows(mechanics.history.slider_x);
@@ -189,7 +189,8 @@ void add_slide_metrics(const Case& input, const MechanicsRecord& mechanics,
   metrics.push_back({"complementarity_residual",
                      worst_of_sliders(mechanics, &SliderRecord::worst_complementarity_residual),
                      "1"});
-  // Strain is not interpolated between places of the slider; scripts still find the name.
+  // Always 0, as strain is not interpolated between positions of the slider; scripts still expect
+  // the name.
   metrics.push_back({"interpolation_error", 0.0, "1"});
   add_further_metrics(input, mechanics, signals, metrics);
 }
@@ -238,7 +239,7 @@ void add_ion_metrics(const Case& input, const IonSolution& ions,
   const double shear = readout::peak_magnitude(signals.column("p99_shear").values);
   const auto scales =
       electrochemistry::derive_scales(input.electrochemistry, input.skin.core_thickness());
-  // A law that moves water has no k, and a 0 would say that it is linear.
+  // A law that moves water has no coefficient k, and a value of 0 would say that it is linear.
   if (!moves_water(input)) {
     metrics.push_back({"nonlinearity",
                        electrochemistry::nonlinearity(scales, input.coupling.coefficient, shear),
@@ -315,7 +316,7 @@ void add_taxels(const IonSolution& ions, bool moves_water, Signals& signals) {
     lines.push_back({line.name, {}, {}, line.voltage, line.passed});
   }
   signals.taxels = readout::taxel_signals(ions.time, charges, lines);
-  // Nothing to balance where no charge passes: the electrode's own is rounding then.
+  // Where no charge passes, there is nothing to balance: the electrode's charge is rounding then.
   if (readout::carry_current(*signals.taxels)) {
     signals.metrics.push_back({"taxel_balance_error",
                                readout::taxel_balance_error(
@@ -415,7 +416,7 @@ void add_noise_of_taxel(const Case& input, const MechanicsRecord& mechanics,
       strongest = conductor, of_voltage = has_voltage, peak = largest;
     }
   }
-  Case taxel = input; // the cell below it
+  Case taxel = input; // the cell below the taxel
   taxel.skin.length = strongest.upper[0] - strongest.lower[0];
   taxel.skin.width = strongest.upper[1] - strongest.lower[1];
   taxel.readout.circuit = strongest.circuit;

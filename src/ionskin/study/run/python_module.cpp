@@ -16,7 +16,7 @@
 namespace ionskin::study {
 namespace {
 
-constexpr int missing_library = 3; // as in isolated.py
+constexpr int missing_library = 3; // exit status, as in isolated.py
 
 /// Message after the last "error: " at the start of a line, or else the last line; line breaks are
 /// replaced by spaces.

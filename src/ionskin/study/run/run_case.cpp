@@ -117,7 +117,7 @@ MechanicsRecord study_1(const Case& input, const RunOptions& options, double sta
                     "--only electrochemistry takes up: run without --only, or with "
                     "--only mechanics, first");
   }
-  std::optional<mechanics::ContactSolution> path; // as far as it went
+  std::optional<mechanics::ContactSolution> path; // up to where the contact gave up
   const auto solve = [&] {
     mechanics::ContactOptions contact_options;
     contact_options.threads = options.threads;
@@ -259,7 +259,7 @@ RunOutcome run_case(const Case& input, const RunOptions& options) {
   }
   require_room(input, given_strain, options);
   if (options.studies != Studies::mechanics) {
-    planning::foreseen(input); // refuses what is bound to fail
+    planning::foreseen(input); // throws UserError if the run is bound to fail
   }
   RunFolder folder(input, options);
   if (has_finished(folder, options)) {

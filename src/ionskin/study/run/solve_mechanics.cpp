@@ -29,7 +29,7 @@ mechanics::PathSteps halved(mechanics::PathSteps steps) {
   steps.touchdown = std::max(1, steps.touchdown / 2);
   steps.lift_off = std::max(1, steps.lift_off / 2);
   steps.onset = std::max(1, steps.onset / 2);
-  steps.onset_growth *= steps.onset_growth; // as far with half as many
+  steps.onset_growth *= steps.onset_growth; // the same distance with half as many steps
   return steps;
 }
 
@@ -43,7 +43,7 @@ mechanics::PathSteps halved(mechanics::PathSteps steps) {
 void add_pass(const Case& input, const std::vector<std::string>& names,
               const std::vector<double>& frictions, const mechanics::ContactOptions& options,
               double first, double share, std::vector<CoarserSolutions>& result) {
-  constexpr double solved = 0.9; // of the pass
+  constexpr double solved = 0.9; // share of the pass that solving takes; recording takes the rest
   std::vector<mechanics::ContactVariant> variants;
   for (const double friction : frictions) {
     for (const std::string& name : names) {
@@ -53,12 +53,12 @@ void add_pass(const Case& input, const std::vector<std::string>& names,
     }
   }
   mechanics::ContactOptions own = options;
-  own.unfinished = nullptr; // what a coarser mesh left is nobody's result
+  own.unfinished = nullptr; // an unfinished coarser solution is no result
   own.progress = [&](std::string_view activity, double fraction) {
     activity == "mechanics" ? options.progress(coarser_activity, first + solved * share * fraction)
                             : options.progress(activity, fraction);
   };
-  base::Timers parts; // of the coarser solutions, which count as one stage
+  base::Timers parts; // not reported: the coarser solutions count as one stage
   auto solutions = mechanics::solve_variants(mechanics::coarser_case(input, names.front()),
                                              variants, own, parts);
   const auto recording =
@@ -145,7 +145,7 @@ std::vector<CoarserSolutions> solve_beside(const Case& input, const std::vector<
       return;
     }
     solutions = mechanics::solve_contact(input, frictions, own, timers);
-    for (int i = 1; i < own.threads; ++i) { // the thread itself is given when it ends
+    for (int i = 1; i < own.threads; ++i) { // the calling thread is given when the task ends
       coarse.spare->give();
     }
   };
@@ -197,7 +197,7 @@ CoarserSolutions solve_coarser_sliders(const Case& input, const mechanics::Conta
   std::vector<std::shared_ptr<const MechanicsRecord>> records(names.size());
   mechanics::ContactOptions beside = options;
   beside.progress = base::no_progress;
-  beside.unfinished = nullptr; // what a coarser mesh left is nobody's result
+  beside.unfinished = nullptr; // an unfinished coarser solution is no result
   std::mutex failing;
   const auto fail = [&](const char* why) {
     const std::lock_guard lock(failing);
@@ -261,7 +261,7 @@ std::vector<SolvedMechanics> solve_mechanics(const Case& input,
     both.footprint =
         mechanics::find_footprint(input, frictions.front(), options.threads, options.progress)
             .footprint;
-    if (!input.slider.sharp()) { // of which the mesh was a guess before
+    if (!input.slider.sharp()) { // its mesh was only a guess before
       planning::require_resources(input, options.threads, both.footprint);
     }
   }

@@ -215,7 +215,7 @@ RunOutcome write_outputs(const Case& input, const RunOptions& options,
       write_paraview(input, outputs, folder);
     }
     write_results_file(input, mechanics, outputs, folder);
-    // The report reads the summary; its own time is added below.
+    // The report reads the summary, so it is written first; the report's own time is added below.
     write_summary();
     options.progress(writing, 0.5);
     auto problem = draw_report(options, folder);

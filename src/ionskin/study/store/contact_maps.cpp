@@ -94,7 +94,7 @@ std::vector<results::ContactMap> make_maps(const std::vector<MotionLeg>& legs,
                                            const mechanics::ContactSolution& contact) {
   std::vector<results::ContactMap> maps;
   StepNames names(legs, contact);
-  // A long path passes more instants than anybody looks at: the first all, of the others some.
+  // A long path has more instants than anybody looks at: maps of the first ones, then of some.
   constexpr std::size_t first = 100, others = 100;
   const std::size_t stride = contact.stepped.size() / others + 1;
   for (std::size_t i = 0; i < contact.stepped.size(); i += i < first ? 1 : stride) {

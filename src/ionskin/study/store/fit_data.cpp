@@ -96,7 +96,7 @@ FitColumns fit_columns(const Case& input) {
   const Readout& readout = input.readout;
   for (std::size_t i = 0; i < readout.taxels.size(); ++i) {
     for (const TaxelColumn& one : taxel_columns) {
-      // The crossings of lines that are not scanned pass no charge that anyone could tell apart.
+      // Where lines are not scanned, the charges of single crossings cannot be told apart.
       const bool is_passed =
           !readout.is_crossbar() || readout.scan.dwell > 0 || one.values != &Segment::passed;
       if ((!one.of_circuit || readout.has_own_circuit(i)) && is_passed &&
@@ -334,7 +334,7 @@ bool is_mean(const FitData& data) {
 }
 
 std::vector<double> interval_starts(const FitData& data, double start) {
-  constexpr double gap = 1.75; // of the interval
+  constexpr double gap = 1.75; // in intervals of the record
   const double interval = rate_interval(data);
   std::vector<double> starts;
   for (std::size_t row = 1; row < data.time.size(); ++row) {

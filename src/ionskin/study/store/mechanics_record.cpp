@@ -104,7 +104,8 @@ void add_samples(const Case& input, const mechanics::ContactSolution& contact,
                  SliderRecord& record) {
   const auto direction = slide_direction(motion_legs(input.motion, input.slider));
   const handover::ContactSignals signals = handover::contact_signals(timeline, contact);
-  std::vector<double> stuck = signals.stick_share; // area, which is linear between the instants
+  // Multiplied by the contact area below: the sticking area is linear between the instants.
+  std::vector<double> stuck = signals.stick_share;
   for (std::size_t i = 0; i < stuck.size(); ++i) {
     stuck[i] *= signals.area[i];
   }

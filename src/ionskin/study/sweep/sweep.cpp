@@ -224,7 +224,7 @@ SweepOutcome collect_sweep(const SweepOptions& options) {
                                 options.folder.string()));
   }
   RunOptions settings = folder_options(options);
-  settings.overwrite = false; // was done when it was planned
+  settings.overwrite = false; // earlier results were replaced when the sweep was planned
   settings.resume = true;
   settings.beside_others = true;
   RunFolder folder(sweep.plan.base, settings);

@@ -225,7 +225,7 @@ private:
 
   void leave(const FrictionGroup& group, std::size_t begin, std::vector<SolvedMechanics> solutions,
              double seconds, parallel::SpareThreads& spare) {
-    // One thread recovers the strains of a solution: those without another help it.
+    // One thread recovers the strains of a solution; threads without a solution of their own help.
     parallel::run_tasks(
         solutions.size(), options_.threads,
         [&](std::size_t i) {

@@ -168,7 +168,7 @@ PlannedSweep sweep_of(const Json& json) {
   std::vector<SweepPoint>& points = sweep.plan.points;
   try {
     points = designed_points(sweep.plan.request);
-  } catch (const UserError&) { // its remedy is for the one who plans
+  } catch (const UserError&) { // its remedy is for the user who plans a sweep
     throw Damaged();
   }
   std::vector<bool> taken(points.size());

@@ -148,7 +148,7 @@ CaseDocument read_point_case(const SweepRequest& request, const std::vector<std:
 }
 
 Case base_case(const SweepRequest& request, Case first) {
-  // The swept keys may be missing in the file: the first point gives the base its values.
+  // The swept keys may be missing in the case file, so the first point gives them their values.
   first.text += design_comment(request);
   return first;
 }

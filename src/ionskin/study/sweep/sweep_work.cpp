@@ -13,7 +13,7 @@
 namespace ionskin::study {
 namespace {
 
-constexpr double memory_bound = 2.4e9; // bytes for the ion transport of all points at once
+constexpr double memory_bound = 2.4e9; // memory for the ion transport of all points at once [bytes]
 
 /// Replaces the path of the staging folder in a reason of failure, so that it is the same wherever
 /// the point was solved.
@@ -71,7 +71,8 @@ void SweepWork::run_points() {
 /// Runs one point from its mechanics on; a failure stays with the point.
 void SweepWork::run_point(std::size_t point, RunOptions options) {
   options.folder /= plan_.points[point].name;
-  options.judge_resources = false; // other programs may have taken memory since
+  // Memory and disk were checked for the whole sweep, and other programs may have taken some since.
+  options.judge_resources = false;
   options.progress = [this, point](std::string_view activity, double fraction) {
     if (activity == "ion transport") {
       record_.progress(point, 0.95 * fraction);
