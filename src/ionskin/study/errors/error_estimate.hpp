@@ -29,9 +29,9 @@ ErrorEstimate estimate_errors(const Case& input, const MechanicsRecord& mechanic
                               int threads, base::Timers& timers,
                               const base::ProgressCallback& progress = base::no_progress);
 
-/// Estimates the numerical error of a run's prediction of measured data, half the width of a band
-/// with one entry per row of the data [unit of the data]. Empty where the contact has no coarser
-/// solutions.
+/// Estimates the numerical error of a run's prediction of measured data, half the width of an error
+/// band with one entry per row of the data [unit of the data]. Empty where the contact has no
+/// coarser solutions.
 /// Throws as `estimate_errors`.
 std::vector<double> estimate_data_errors(const Case& input, const MechanicsRecord& mechanics,
                                          const electrochemistry::IonSolution& ions,

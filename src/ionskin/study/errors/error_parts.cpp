@@ -195,7 +195,7 @@ double largest_nearby(const std::vector<double>& values, std::size_t row) {
   return largest;
 }
 
-/// Errors of all columns of a table, half the width of the band per row; `time` is unchanged.
+/// Errors of all columns of a table, half the width of the error band per row; `time` is unchanged.
 SignalTable band(const SignalTable& base, const std::vector<PairDifference>& differences,
                  const std::function<const TableDifference*(const PairDifference&)>& table_of,
                  const ErrorFloors& floors) {

@@ -74,8 +74,8 @@ struct ErrorFloors {
   ImposedErrors imposed; ///< errors of quantities that the case prescribes; they replace all parts
 };
 
-/// Error of one column of a table from one pair of solutions: half the width of the band about each
-/// value, one entry per row [unit of the column]; NaN where there is no value.
+/// Error of one column of a table from one pair of solutions: half the width of the error band
+/// about each value, one entry per row [unit of the column]; NaN where there is no value.
 /// @param values of the run
 /// @param part one of `error_parts`
 /// @param difference of the two solutions of the pair, on the same rows
@@ -85,7 +85,7 @@ std::vector<double> pair_band(const std::vector<double>& values, const std::stri
                               const TableDifference& difference, const std::string& column,
                               double path_floor);
 
-/// Combines pairs of solutions to the error estimate of all metrics and signals. The error of a
+/// Combines pairs of solutions into the error estimate of all metrics and signals. The error of a
 /// metric is the sum of its parts. Each part is the largest of the metric's own difference, the
 /// relative differences of related metrics (`related_metrics`), and the relative norm over the run
 /// of the difference of related signals, so that a difference that vanishes by chance does not pass

@@ -20,8 +20,8 @@ struct ErrorEstimate {
   std::map<std::string, std::string> not_converging;
   /// Reasons why a metric has no error, by metric.
   std::map<std::string, std::string> not_estimated;
-  /// Errors of the signals: tables with the same columns and rows, half the width of the band about
-  /// each value [unit of the signal]. Without columns, or empty, where not estimated.
+  /// Errors of the signals: tables with the same columns and rows, half the width of the error band
+  /// about each value [unit of the signal]. Without columns, or empty, where not estimated.
   readout::SignalTable signals, sampled;
   std::optional<readout::SignalTable> taxels, circuit, water;
 };

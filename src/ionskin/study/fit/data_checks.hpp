@@ -14,7 +14,7 @@ void require_signal(const FitData& data);
 
 /// Initial values of the free keys of the data (`data_keys`): the time shift with which the data
 /// correlate best with the signal of the start, then gain, baseline and drift by linear least
-/// squares. Keys that are not free keep their neutral values.
+/// squares. Keys that are not free have no effect (gain 1, others 0).
 /// @param start solution at the initial values of the case
 DataAdjustment start_adjustment(const FitModel& model, const FitData& data,
                                 const electrochemistry::IonSolution& start);

@@ -24,7 +24,7 @@ struct FittedParameter {
 struct FitResult {
   std::vector<FittedParameter> parameters;
   std::vector<double> fitted; ///< prediction at the fitted values, one value per row of the data
-  /// Numerical error of `fitted` per row, half the width of a band; empty where it is not
+  /// Numerical error of `fitted` per row, half the width of an error band; empty where it is not
   /// estimated.
   std::vector<double> fitted_error;
   FitStatistics statistics;

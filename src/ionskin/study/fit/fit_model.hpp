@@ -73,12 +73,14 @@ public:
   /// @returns for each point the part of the solution that data need; null where there is none
   /// Throws Interrupted.
   std::vector<Ions> solutions(const std::vector<std::vector<double>>& points);
-  /// The values of a point that are keys of the data; neutral values for those that are not free.
+  /// Values of a point that belong to keys of the data; keys that are not free have no effect (gain
+  /// 1, others 0).
+  /// @param point one value per parameter [SI]
   DataAdjustment adjustment_at(const std::vector<double>& point) const;
 
-  /// Estimates the numerical error of the fitted curve, half the width of a band with one entry per
-  /// row of the data [unit of the data]; empty where it cannot be estimated. Solves the coarser
-  /// solutions of Study 1, so it is meant for the end of a fit.
+  /// Estimates the numerical error of the fitted curve, half the width of an error band with one
+  /// entry per row of the data [unit of the data]; empty where it cannot be estimated. Solves the
+  /// coarser solutions of Study 1, so it is meant for the end of a fit.
   /// @param point values of the parameters [SI]
   /// Throws SolverError, Interrupted.
   std::vector<double> errors(const FitData& data, const std::vector<double>& point);

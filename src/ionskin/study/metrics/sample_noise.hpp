@@ -9,9 +9,9 @@
 
 namespace ionskin::study {
 
-/// Root mean square noise of one reading, the mean over `readout.sample_interval`, docs/model.md
-/// (61): of the current between electrodes at one potential [A], otherwise of the voltage [V]. Made
-/// by `sample_noise`.
+/// Root mean square noise of one reading, which is the mean over `readout.sample_interval`: of the
+/// current between electrodes at one potential [A], otherwise of the voltage [V];
+/// docs/model.md (61). Made by `sample_noise`.
 struct SampleNoise {
   double thermal = 0; ///< thermal noise of the cell, and of the resistor beside it
   /// Noise of the amplifier, from its voltage and current noise at the impedance of the cell.
