@@ -5,17 +5,19 @@
 
 namespace ionskin::parallel {
 
-/// Threads of some tasks that have found no further task, and may help with the tasks in work. All
-/// threads together never exceed those that the tasks were given.
+/// Thread-safe count of threads that have run out of tasks of their own and may help with tasks
+/// still in progress elsewhere. Sharing them keeps the total within the number of threads that the
+/// tasks were given.
 class SpareThreads {
 public:
-  /// False where there is none.
+  /// Takes one spare thread from the count. False if there is none.
   bool take() {
     int count = count_;
     while (count > 0 && !count_.compare_exchange_weak(count, count - 1)) {
     }
     return count > 0;
   }
+  /// Adds one spare thread to the count.
   void give() { ++count_; }
 
 private:

@@ -12,19 +12,20 @@
 namespace ionskin::parallel {
 namespace {
 
-/// Tasks that threads take one after the other.
+/// Tasks that several threads take one after another in the order of their index, with the
+/// exceptions they threw.
 class TaskQueue {
 public:
   TaskQueue(std::size_t count, const std::function<void(std::size_t)>& task)
       : task_(task), failures_(count) {}
 
-  /// Number of tasks that no thread has taken.
+  /// Number of tasks that no thread has taken; 0 after a task has thrown.
   std::size_t left() const {
     const std::size_t next = next_;
     return failed_ || next > failures_.size() ? 0 : failures_.size() - next;
   }
 
-  /// Runs one task, if there is any.
+  /// Runs the next task, if there is one; stores its exception if it throws.
   void run_next() {
     const std::size_t i = next_++;
     if (i >= failures_.size() || failed_) {

@@ -10,19 +10,21 @@ namespace {
 
 constexpr std::uint64_t closed = 0xffffffffU;
 constexpr std::uint64_t next_loop = closed + 1;
-/// Looks at the ticket before a worker goes to sleep, about the length of the serial work between
-/// loops.
+/// Number of times that a worker checks the ticket for a new loop before it sleeps: about the
+/// length of the serial work between loops.
 constexpr int patience = 4000;
-/// More blocks than threads, so that a late thread leaves less to wait for.
+/// Blocks of a loop for each thread. More than one, so that a late thread leaves less to wait for.
 constexpr std::size_t blocks_per_thread = 2;
 
-/// A longer wait for the other threads, beside twice one's own work, says that one of them has no
-/// processor: time for new trials.
+/// Wait for the other threads, beyond twice the time of the calling thread's own work, above which
+/// one of them is taken to have no processor and new trials begin.
 constexpr std::chrono::microseconds stall_allowance{200};
-/// Loops: some time steps, and what makes the trials cost little and a wrong verdict not much.
+/// Numbers of loops per trial and per rest: a trial covers some time steps; rests are long enough
+/// to make trials cheap and short enough to make a wrong verdict cost little.
 constexpr int loops_per_trial = 256, loops_of_rest = 2048;
-/// Time that the loops of a trial together may take, over that of as many alone: the two trials are
-/// not of the same loops, and where a thread has no processor, it is twice as much.
+/// Excess of a shared trial's time over that of the trial alone that is still allowed [%]. The two
+/// trials run different loops; a thread without a processor makes the shared trial take about twice
+/// as long.
 constexpr int allowed_excess_percent = 40;
 
 constexpr std::uint64_t from_the_end = 1U << 16;
@@ -83,8 +85,7 @@ void WorkerTeam::run(const Loop& loop) {
     loop.call(loop.body, 0, loop.count, 0);
     return;
   }
-  // The ticket is closed, so no worker reads what is being changed here and then takes a block of
-  // it.
+  // The ticket is closed, so that no worker can take a block of a loop that is still being set up.
   loop_.store(&loop, std::memory_order_relaxed);
   blocks_.store(loop.blocks, std::memory_order_relaxed);
   finished_.store(0, std::memory_order_relaxed);
@@ -94,7 +95,7 @@ void WorkerTeam::run(const Loop& loop) {
   ticket_.notify_all();
   take_blocks(0);
   const auto own_end = Clock::now();
-  // A yield may cost a whole time slice, so it comes late.
+  // A yield may cost a whole time slice, so it comes only after `patience` checks.
   for (int looks = 0; finished_.load(std::memory_order_acquire) != loop.blocks; ++looks) {
     looks < patience ? relax() : std::this_thread::yield();
   }

@@ -11,13 +11,14 @@ namespace ionskin::planning {
 namespace {
 
 constexpr double hertz_peak = 1.5; // largest over mean pressure of a round contact
-constexpr double margin = 1.5;     // of what is said to be sure
+constexpr double margin = 1.5;     // factor of safety of the lower bound
 
-/// Layers in series, per area [m/Pa].
+/// Compliances of layers in series under a load per area [m/Pa]. t: thickness, M: oedometric
+/// modulus, G: shear modulus, a: half width of the contact.
 struct Compliances {
-  double confined = 0; ///< t / M of each, M the oedometric modulus
-  double squeezed = 0; ///< t / M + t^3 / (4 G a^2) of each, bonded strips of half width a
-  double shear = 0;    ///< t / G
+  double confined = 0; ///< sum of t / M: layers that cannot move sideways
+  double squeezed = 0; ///< sum of t / M + t^3 / (4 G a^2): bonded strips squeezed out sideways
+  double shear = 0;    ///< sum of t / G
 };
 
 Compliances compliances(const Skin& skin, double half_width) {
@@ -52,7 +53,7 @@ ContactEstimate estimate_contact(const Case& input, const std::optional<mesh::Fo
   const bool sharp = input.slider.sharp();
   const mesh::Footprint contact = found ? *found : mesh::expected_footprint(input);
   const double half_width = std::min(contact.half_size[0], contact.half_size[1]);
-  const double part = sharp ? 4.0 : std::numbers::pi; // of the product of both half sizes
+  const double part = sharp ? 4.0 : std::numbers::pi; // area over the product of both half sizes
   ContactEstimate estimate;
   estimate.area = part * contact.half_size[0] * contact.half_size[1];
   const Compliances layers = compliances(input.skin, half_width);
@@ -68,7 +69,7 @@ ContactEstimate estimate_contact(const Case& input, const std::optional<mesh::Fo
         std::min(input.contact.friction * pressure, longest_slide(input) / layers.shear);
     const double depth =
         input.skin.thickness() - input.skin.core_bottom() - input.skin.core_thickness();
-    const double reach = half_width / (half_width + depth); // the traction spreads below it
+    const double reach = half_width / (half_width + depth); // the traction spreads on its way down
     estimate.least_shear = reach * traction / modulus / margin;
   }
   return estimate;

@@ -8,19 +8,24 @@
 
 namespace ionskin::planning {
 
-/// Pressure and shear under the slider before they are solved for.
+/// Estimated pressure, area and shear of the contact between slider and skin, before Study 1 is
+/// solved. Made by `estimate_contact`.
 struct ContactEstimate {
-  double pressure = 0; ///< mean under a flat slider, largest under a round one, from above [Pa]
-  double shear = 0;    ///< of the core below the sliding slider, from above [1]
-  /// Shear that the core surely reaches [1]; 0 where the estimate cannot tell.
+  /// Upper estimate of the contact pressure: mean under a flat slider, largest under a round one
+  /// [Pa].
+  double pressure = 0;
+  double shear = 0; ///< upper estimate of the shear of the core below the sliding slider [1]
+  /// Lower bound of the shear that the core reaches [1]; 0 where none can be given.
   double least_shear = 0;
-  double area = 0; ///< of the contact [m2]
+  double area = 0; ///< contact area [m2]
 };
 
-/// Estimate of the contact. From above, layers cannot move sideways: docs/model.md tells what the
-/// model itself does. From below, they are squeezed out between bonded faces, and the shear is that
-/// of a slide, no longer than the case's own, under a rigid flat slider and Coulomb's friction.
-/// @param found the contact where a coarse solution has found it
+/// Estimates the contact from the layers in series, without solving it. The upper estimate takes
+/// the layers as confined: they cannot move sideways. The lower bound lets bonded layers be
+/// squeezed out sideways, and takes no more traction than Coulomb friction allows and the longest
+/// slide of the case makes; it is given only for a rigid flat slider under Coulomb friction without
+/// a drive. docs/model.md says what the model itself does.
+/// @param found footprint of the contact from a coarse solution; empty to estimate it
 ContactEstimate estimate_contact(const Case& input,
                                  const std::optional<mesh::Footprint>& found = std::nullopt);
 

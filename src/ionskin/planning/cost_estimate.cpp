@@ -11,18 +11,18 @@ namespace ionskin::planning {
 
 namespace {
 
-constexpr double bytes_at_rest = 0.12e9; // the program and its libraries
-// Processor time per unknown of the whole core and time step, with the error estimate.
+constexpr double bytes_at_rest = 0.12e9; // memory of the idle program and its libraries
+// Processor time of Study 2 per unknown and time step, with the error estimate [s].
 constexpr double seconds_per_ion_step = 7e-8;
-constexpr double own_share_of_ions = 0.6; // the rest is the error estimate's
-constexpr double seconds_of_output = 1.0; // files, and a page that takes half a second
+constexpr double own_share_of_ions = 0.6; // share of Study 2 without the error estimate
+constexpr double seconds_of_output = 1.0; // files, and half a second for the report page
 
 double ion_seconds(const Case& input, const electrochemistry::ProblemSize& ions, int threads) {
   return (input.numerics.error_estimate ? 1 : own_share_of_ions) * seconds_per_ion_step *
          static_cast<double>(ions.unknowns) * static_cast<double>(ions.steps) / threads;
 }
 
-/// Cost of a case without contact.
+/// Cost of a case with a prescribed load, which has no contact.
 CostEstimate estimate_ion_cost(const Case& input, int threads) {
   const auto ions = electrochemistry::estimate_problem_size(input);
   CostEstimate cost;

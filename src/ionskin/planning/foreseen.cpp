@@ -22,11 +22,12 @@
 namespace ionskin::planning {
 namespace {
 
-constexpr double large_indentation = 0.2; // of the skin's thickness
-constexpr double least_response = 0.1;    // of the ions' relaxation time
+constexpr double large_indentation = 0.2; // limit of the indentation over the skin's thickness
+constexpr double least_response = 0.1;    // shortest run over the ions' relaxation time
 
-/// Least and largest fixed charge over that at rest, of a core that is sheared below the slider by
-/// `shear` at its top and by half of it at its bottom, and not beside it.
+/// Smallest and largest fixed charge under the coupling law, relative to the charge at rest [1].
+/// Below the slider the core is sheared by `shear` at its top and by half of it at its bottom;
+/// beside the slider it is not sheared.
 struct ChargeRange {
   double least = 1, largest = 1;
 };
@@ -48,7 +49,10 @@ ChargeRange charge_range(const Case& input, double shear, double loaded_share) {
   return {least, largest};
 }
 
-/// The sentence on a fixed charge that a shear makes impossible, or nothing.
+/// Sentence on a fixed charge, or a released amount of ions, that cannot exist under a shear; empty
+/// where all is well.
+/// @param shear of the core at its top below the slider [1]
+/// @param loaded_share contact area over the area of the skin [1]
 std::string impossible_charge(const Case& input, double shear, double loaded_share) {
   const ChargeRange range = charge_range(input, shear, loaded_share);
   if (range.least < 0.0)
@@ -86,7 +90,7 @@ void judge_charge(const Case& input, const ContactEstimate& contact,
     warnings.push_back(likely);
 }
 
-/// Longest touch without a break, within one cycle [s].
+/// Longest uninterrupted contact within one cycle [s].
 double longest_touch(const Case& input) {
   double longest = 0, time = 0;
   for (const MotionLeg& leg : motion_legs(input.motion, input.slider)) {
@@ -114,8 +118,9 @@ void judge_times(const Case& input, std::vector<std::string>& warnings) {
         run, relaxation));
 }
 
-/// Warnings on one slider alone on the skin.
-/// @param name of the slider, before each warning; empty for the only one
+/// Adds the warnings on one slider, as if it were the only one on the skin.
+/// @param name of the slider, put before each warning; empty for the only slider
+/// @param found footprint of its contact from a coarse solution; empty to estimate it
 void judge_slider(const Case& input, const std::string& name,
                   const std::optional<mesh::Footprint>& found, std::vector<std::string>& warnings) {
   std::vector<std::string> own;

@@ -26,49 +26,53 @@ namespace ionskin::planning {
 namespace {
 
 // Processor time [s], measured with AVX2 on cases/paper.toml, cases/finger.toml and
-// cases/waypoints.toml, with a soft finger, a height map, and sweeps of friction, which tell skin
-// and path apart.
+// cases/waypoints.toml, with a soft finger, a height map, and sweeps of friction, which separate
+// the cost of the skin from that of the path.
 constexpr double seconds_per_skin = 0.38, seconds_per_pair_of_cells = 5.7e-6;
-/// More of a skin, by its size over the reach of its short waves: measured near an end of it.
+/// Additional time of a skin per `skin_size` [s], measured near an end of the skin.
 constexpr double seconds_per_reach = 5e-4;
-/// Time of a step of the contact, over the square of the cells [s].
+/// Time of a load step of the contact over the square of the number of cells [s], without and with
+/// a drive.
 constexpr double seconds_per_step = 2.2e-7, seconds_per_driven_step = 8e-7;
-/// Contacts of many cells, which are solved by products: measured on a height map.
+/// Contacts of many cells, solved with products of the compliance in place of its matrix: products
+/// in a step; time of a product and of one cell in it [s]; time to build the compliance over the
+/// distance, per cell [s]. Measured on a height map.
 constexpr double products_per_step = 150, seconds_per_product = 5e-3,
                  seconds_per_product_and_cell = 3e-6, seconds_per_distance = 1e-5;
-/// More of a step at a new place across the skin, by the skin's size over the reach of its short
-/// waves: rows of cells are summed over all modes anew.
+/// Additional time of a load step at a new position across the skin, per `skin_size` [s]: the
+/// compliance of rows of cells is summed over all modes again.
 constexpr double seconds_per_place_across = 2e-4;
-/// Time of a multiplication in a step near an end of the skin [s], where the waves along the end
-/// are solved for the cells anew at each place. Measured 0.1 to 0.4 mm from an end.
+/// Time of one multiplication in a load step near an end of the skin [s], where the waves along the
+/// end are solved for the cells again at each position. Measured 0.1 to 0.4 mm from an end.
 constexpr double seconds_per_end_product = 1e-10;
-/// Time for the strain of an instant that is kept of the path, over the points of the core [s].
+/// Time to recover the strain of a stored instant of the path, per point of the core [s].
 constexpr double seconds_per_strain = 1.3e-6;
-/// Memory per row of cells and row of elements [bytes], measured on cases/paper.toml and
+/// Memory per row of contact cells and row of elements [bytes], measured on cases/paper.toml and
 /// cases/finger.toml.
 constexpr double row_bytes = 4e5;
-/// Grids of cells on which the contact of a round slider is sought.
+/// Number of contact grids on which the footprint of a round slider is searched.
 constexpr double searched_grids = 4;
 
-/// The grid fits the contact that a coarse solution will find.
+/// Mesh for the footprint that a coarse solution is expected to find.
 mesh::SkinMesh expected_mesh(const Case& input) {
   return {input, mesh::expected_footprint(input)};
 }
 
-/// Long and wide over the reach of its short waves, as modes are many.
+/// Length times width of the skin, each over the reach of its short waves [1]: proportional to the
+/// number of modes.
 double skin_size(const Case& input, const mesh::SkinMesh& mesh, const MotionBox& places) {
   const double reach = mechanics::short_wave_reach(input.skin, mesh.footprint(), places);
   return (input.skin.length / reach) * (input.skin.width / reach);
 }
 
-/// Memory of the modes on sides and ends and of their action in the core [bytes]. Measured on skins
-/// of 15 x 2.5 to 15 x 18 mm2 and 45 x 6 mm2, 0.2 mm thick, and beside a side.
+/// Memory of the modes on the sides and ends of the skin and of their strain in the core [bytes].
+/// Measured on skins of 15 x 2.5 to 15 x 18 mm2 and 45 x 6 mm2, 0.2 mm thick, and beside a side.
 double skin_memory(const mesh::SkinMesh& mesh, double size) {
-  const double bytes = mesh.half_model() ? 3.1e5 : 9e5; // of even modes alone, or of all
+  const double bytes = mesh.half_model() ? 3.1e5 : 9e5; // with even modes only, or with all modes
   return bytes * size;
 }
 
-/// Cost of one grid of cells.
+/// Cost of the mechanics on one grid of contact cells.
 struct GridCost {
   GridCost(const Case& input, const mesh::SkinMesh& mesh)
       : cells(static_cast<double>(mechanics::contact_cells(mesh).count())),
@@ -104,7 +108,7 @@ struct GridCost {
         products ? seconds_per_distance * cells : seconds_per_pair_of_cells * cells * cells;
     return seconds_per_skin + seconds_per_reach * size + of_cells;
   }
-  /// Time of the steps along the path [s].
+  /// Time of the load steps along the path [s].
   double path_seconds(const mechanics::ExpectedSteps& steps) const {
     const double contact = driven ? seconds_per_driven_step : seconds_per_step;
     const double step =
@@ -113,16 +117,16 @@ struct GridCost {
     return static_cast<double>(steps.taken) * step +
            static_cast<double>(steps.across) * seconds_per_place_across * size + at_ends;
   }
-  /// Time for the strain of the steps that are kept, which threads share [s].
+  /// Time to recover the strain of the stored steps, by one thread; threads share it [s].
   double strain_seconds(const mechanics::ExpectedSteps& steps) const {
     return static_cast<double>(steps.kept) * seconds_per_strain * points;
   }
-  /// Strain of what is kept of the path [bytes].
+  /// Memory of the strain history of the stored steps [bytes].
   double history_memory(const mechanics::ExpectedSteps& steps) const {
     return sizeof(double) * history_values * static_cast<double>(steps.kept);
   }
-  /// The dense matrices of the contact, or what products keep: transforms of the compliance over
-  /// the distance, and directions [bytes].
+  /// Memory of the contact solver [bytes]: dense matrices, or, with products in place of the
+  /// matrix, transforms of the compliance over the distance and directions of the iterative solver.
   double contact_memory(int threads) const {
     constexpr double matrices = 6, vectors_of_products = 400;
     if (products) {
@@ -130,24 +134,26 @@ struct GridCost {
     }
     return sizeof(double) * threads * matrices * 9 * cells * cells;
   }
-  /// Strains that are recovered together, when the contact is solved [bytes].
+  /// Memory of the strains that are recovered at the same time, after the contact is solved
+  /// [bytes].
   double strain_memory(int threads) const {
     constexpr double strains = 6, states_per_thread = finite_layers::states_at_once;
     return sizeof(double) * states_per_thread * threads * points * strains;
   }
 
-  double cells = 0, points = 0; ///< below the slider, of the core
-  /// Strains over forces on rows of cells, kept where the slider keeps its place across the skin
-  /// [bytes].
+  double cells = 0, points = 0; ///< number of contact cells, and of strain points of the core
+  /// Memory of the matrices from forces on rows of cells to strains, stored where the slider stays
+  /// at one position across the skin [bytes].
   double rows = 0;
-  double size = 0;    ///< of the skin
-  double at_ends = 0; ///< of the waves along the ends, on the whole path [s]
+  double size = 0;    ///< `skin_size`
+  double at_ends = 0; ///< time for the waves along the ends over the whole path [s]
   bool driven = false;
-  bool products = false;     ///< of the compliance, in the place of a matrix
-  double history_values = 0; ///< of one instant
+  bool products = false;     ///< true if products of the compliance stand in place of its matrix
+  double history_values = 0; ///< number of values of the strain history at one instant
 };
 
-/// Coarser solutions, by the name of `mechanics::coarser_solutions`, that have cells of their own.
+/// Names (`mechanics::coarser_solutions`) of the coarser solutions that have contact cells of their
+/// own; empty without an error estimate.
 std::vector<const char*> coarser_names(const Case& input) {
   namespace names = mechanics::coarser_solutions;
   if (!input.numerics.error_estimate) {
@@ -161,11 +167,11 @@ std::vector<const char*> coarser_names(const Case& input) {
 
 namespace {
 
-/// Passes over the paths of several sliders, until their forces agree.
+/// Number of passes over the paths of several sliders until their forces agree.
 constexpr double passes = 3;
 
-/// Cost of several sliders, which are solved one after another and in passes, beside their coarser
-/// solutions, each with a thread of its own, and whose strain is kept on a grid that does not ride.
+/// Cost of several sliders. They are solved one after another and in several passes; their coarser
+/// solutions run beside them, each on one thread. The strain is stored on a grid fixed to the skin.
 MechanicsCost estimate_sliders_cost(const Case& input, int threads) {
   const std::vector<Case> sliders = cases_of_sliders(input);
   std::vector<mesh::SkinMesh> meshes;
@@ -195,7 +201,8 @@ MechanicsCost estimate_sliders_cost(const Case& input, int threads) {
     }
   }
   const handover::CoreGrid grid = handover::fixed_core_grid(sliders, all);
-  const double values = (moves_water(input) ? 4.0 : 1.0) * // twice the levels and channels
+  // With water, the history has twice as many levels and channels.
+  const double values = (moves_water(input) ? 4.0 : 1.0) *
                         static_cast<double>((grid.x_edges.size() - 1) * (grid.y_edges.size() - 1) *
                                             grid.z_lines.size());
   const double samples = kept + ways / handover::fixed_cell_width(input);
@@ -226,12 +233,12 @@ MechanicsCost estimate_mechanics_cost(const Case& input, int threads,
   cost.histories = own.history_memory(steps);
   double sought = 0, path = own.path_seconds(steps), strain = own.strain_seconds(steps);
   double beside = 0,
-         path_beside = 0; // of the coarser solutions, which a thread of their own solves
+         path_beside = 0; // coarser solutions, on a thread of their own
   for (const char* name : coarser_names(input)) {
     const Case coarser_input = mechanics::coarser_case(input, name);
     try {
       const GridCost coarser(coarser_input, {coarser_input, mesh.footprint()});
-      // `path` steps over the same cells, half as finely.
+      // The coarser solution `path` uses the same cells, with half as many steps.
       const double paths = name == std::string_view(mechanics::coarser_solutions::mesh) ? 1.5 : 1;
       beside += coarser.skin_seconds();
       path_beside += paths * coarser.path_seconds(steps);
@@ -240,7 +247,7 @@ MechanicsCost estimate_mechanics_cost(const Case& input, int threads,
       if (!input.slider.sharp()) {
         sought += searched_grids * coarser.skin_seconds();
       }
-    } catch (const UserError&) { // its cells do not fit beside the slider: a run goes without
+    } catch (const UserError&) { // its cells do not fit beside the slider: a run does without it
     }
   }
   const double alone = own.skin_seconds() + path;

@@ -10,20 +10,20 @@
 namespace ionskin::planning {
 namespace {
 
-// Measured on cases/paper.toml, finger.toml and paper/coarse.toml.
-constexpr double field_bytes = 17.5; // by unknown and instant, compressed
+// Sizes in bytes, measured on cases/paper.toml, finger.toml and paper/coarse.toml.
+constexpr double field_bytes = 17.5; // fields per unknown and instant, compressed
 constexpr double history_bytes =
-    1.0; // by unknown and time step: strain of the run and coarser solutions
-constexpr double signal_row = 700;  // of signals.csv and the like, errors included
-constexpr double reading_row = 200; // of sampled.csv
-constexpr double taxel_row = 80;    // by taxel, in either
+    1.0;                            // strain of run and coarser solutions per unknown and time step
+constexpr double signal_row = 700;  // row of signals.csv and similar tables, errors included
+constexpr double reading_row = 200; // row of sampled.csv
+constexpr double taxel_row = 80;    // addition to either row per taxel
 
 constexpr double worth_telling = 1e9;
 
-/// Signals and readings, with those of the taxels.
+/// Size of the tables of signals and readings, those of taxels included [bytes].
 double tables_size(const Case& input, std::size_t ion_steps) {
   const double readings = run_duration(input).value_or(0) / input.readout.sample_interval,
-               columns = input.readout.is_cut() ? 2.5 : 1.0, // with those of their circuits
+               columns = input.readout.is_cut() ? 2.5 : 1.0, // circuits of taxels add columns
       taxels = taxel_row * columns * static_cast<double>(input.readout.taxels.size());
   return (signal_row + taxels) * static_cast<double>(ion_steps) + (reading_row + taxels) * readings;
 }

@@ -8,20 +8,23 @@
 
 namespace ionskin::planning {
 
-/// Size of the files of a run, without its report [bytes]; rough: a history that compresses well
-/// takes a third, one of a path with many rows more.
-/// @param ion_unknowns,ion_steps of Study 2
+/// Rough size of all files of a run, without its report [bytes]. A strain history that compresses
+/// well takes a third of it, the history of a path with many rows takes more.
+/// @param ion_unknowns number of unknowns of Study 2
+/// @param ion_steps number of time steps of Study 2
 double output_size(const Case& input, std::size_t ion_unknowns, std::size_t ion_steps);
 
-/// The same as far as it is known before the case is solved: of a strain file without its history.
-/// @param studies_ions whether Study 2 is run too
+/// Size of all files of a run, estimated from the case alone [bytes]. A strain file is not read, so
+/// that readings over its duration do not count.
+/// @param studies_ions true if Study 2 is run, too
 double expected_output(const Case& input, bool studies_ions);
 
-/// Size of the tables alone, which a study keeps of each of its runs [bytes].
+/// Size of the tables of signals and readings of one run [bytes], which a study keeps for each of
+/// its runs.
 double expected_tables(const Case& input);
 
-/// A sentence on files of gigabytes, for before they are written; empty for less.
-/// @param bytes of all files
+/// Sentence that announces result files of more than 1 GB before they are written; empty for less.
+/// @param bytes size of all files
 std::string announced_output(const Case& input, double bytes);
 
 } // namespace ionskin::planning

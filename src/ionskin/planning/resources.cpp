@@ -15,7 +15,7 @@
 namespace ionskin::planning {
 namespace {
 
-/// Indices of unknowns are 32-bit integers.
+/// Largest number of unknowns, as their indices are 32-bit integers.
 constexpr double most_unknowns = 2e9;
 constexpr double most_steps = 1e7;
 

@@ -13,25 +13,26 @@
 namespace ionskin::study {
 namespace {
 
-/// Extremes at a point.
+/// Metrics that are extremes at a point.
 constexpr std::array extremes{
     "element_max_shear_slide", "electrode_membrane_stress", "peak_pressure_slide", "max_potential",
     "min_concentration_ratio", "peak_pore_pressure",        "peak_drive"};
 
-/// Stated relative error above which an extreme is not distinguished from one that grows for ever.
+/// Reported relative error above which an extreme cannot be distinguished from one that grows
+/// without bound on finer meshes.
 constexpr double most_of_extreme = 1.0 / 3.0;
 
-/// Stated relative error above which not even the order of magnitude of a resolved peak is known.
+/// Reported relative error above which not even the order of magnitude of a resolved peak is known.
 constexpr double most_of_peak = 1.0;
 
-/// True if a metric is one of the onset of sliding.
+/// True if a metric describes the onset of sliding.
 bool is_of_onset(const std::string& metric) {
   return metric.starts_with("micro_slip_") || metric.starts_with("slip_lead_") ||
          metric.starts_with("full_slip_") || metric.starts_with("precursor_");
 }
 
-/// Edges that the skin bends around: none of a slider that covers its width between symmetry planes
-/// along y.
+/// True if the slider has an edge around which the skin bends. A slider that covers the width of a
+/// skin between symmetry planes has none along y.
 bool has_sharp_edge(const Case& input) {
   const Slider& slider = input.slider;
   const auto flat = slider.flat_half_size();
@@ -42,8 +43,8 @@ bool has_sharp_edge(const Case& input) {
          (ends_sharply(0) || (ends_sharply(1) && !covers_width(input)));
 }
 
-/// True if the largest magnitude stands alone: the steps on either side hold less than half of it,
-/// so that it is the mean of a spike over one step.
+/// True if the largest magnitude stands in one row: the rows on both sides hold less than half of
+/// it, so that it is the mean of a spike over one time step.
 bool is_single_step(const std::vector<double>& current) {
   std::size_t peak = 0;
   for (std::size_t row = 1; row < current.size(); ++row) {
@@ -73,7 +74,7 @@ std::map<std::string, std::string> not_converging(const Case& input, const Signa
     for (const char* extreme : extremes) {
       const std::string name = extreme + readout::slider_suffix(i);
       const auto error = stated.find(name);
-      // Figures without a suffix are of the whole skin, but for a few.
+      // Metrics without a suffix, with few exceptions, are those of the whole skin.
       if (i == 0 ? any_sharp : has_sharp_edge(sliders[i])) {
         mark(name, "extreme under a sharp edge, where finer meshes raise stress and strain");
       } else if (error != stated.end() && error->second > most_of_extreme) {

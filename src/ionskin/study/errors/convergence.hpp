@@ -9,11 +9,12 @@
 
 namespace ionskin::study {
 
-/// Metrics that finer meshes or steps change on and on, each with the reason: extremes at a sharp
-/// edge, other extremes while two meshes differ by more than a third of them, likewise what is told
-/// of the onset of sliding, and the peak of a current whose spike is shorter than one time step or
-/// whose error is larger than itself.
-/// @param stated relative errors by metric [1]
+/// Finds the metrics that do not converge: finer meshes or time steps keep changing them, so that
+/// their reported error is no bound. These are extremes at a sharp edge; other extremes, and
+/// metrics of the onset of sliding, whose relative error is above a third; and the peak of a
+/// current whose spike is shorter than one time step or whose error is larger than the peak itself.
+/// @param stated reported relative errors by metric [1]
+/// @returns the reason by name of the metric
 std::map<std::string, std::string> not_converging(const Case& input, const Signals& signals,
                                                   const std::map<std::string, double>& stated);
 

@@ -34,11 +34,13 @@ namespace {
 
 namespace parts = error_parts;
 
-// Names of the runs beside those of the coarser solutions.
+// Names of runs of Study 2. Runs driven by coarser solutions of Study 1 have the names of these.
 constexpr const char* own_run = "run";
-constexpr const char* grid_run = "grid";           ///< twice the mesh sizes of Study 2
-constexpr const char* reference_run = "reference"; ///< with up to twice the time steps too
-constexpr const char* cells_run = "cells"; ///< as reference_run, shear on cells twice as wide
+constexpr const char* grid_run = "grid"; ///< run with twice the mesh sizes of Study 2
+/// Run with twice the mesh sizes of Study 2 and up to twice its time steps.
+constexpr const char* reference_run = "reference";
+/// Run as `reference_run`, with the strain history on cells twice as wide.
+constexpr const char* cells_run = "cells";
 
 MechanicsRecord on_wider_cells(const MechanicsRecord& mechanics) {
   MechanicsRecord result = mechanics;
@@ -64,8 +66,8 @@ double path_floor(const MechanicsRecord& mechanics) {
   return worst;
 }
 
-/// Least errors that cells of the contact and steps of the path leave, however little two solutions
-/// differ by.
+/// Least errors, by metric, that contact cells and steps of the path leave even where two solutions
+/// happen to agree.
 std::vector<readout::Metric> least_errors(const Case& input, const MechanicsRecord& mechanics) {
   std::vector<readout::Metric> errors = mechanics.cell_errors;
   for (std::size_t i = 0; i < mechanics.further_sliders.size(); ++i) {
@@ -82,8 +84,8 @@ double decoupling(const Case& input) {
   return moves_water(input) ? poroelasticity::decoupling_error(input) : 0.0;
 }
 
-/// Error of taking the layers as thin, to first order in their thickness and in the drive, where a
-/// case does so.
+/// Relative error of the limit of thin double layers, to first order in their thickness and in the
+/// drive [1]; 0 under other ion models.
 double thin_layers(const Case& input, double core_thickness,
                    const electrochemistry::WaterRows& water) {
   if (input.electrochemistry.ion_model != IonModel::thin_layers) {
@@ -94,14 +96,14 @@ double thin_layers(const Case& input, double core_thickness,
   return electrochemistry::thin_layer_error(input.electrochemistry, core_thickness) + drive;
 }
 
-/// One coarser run of Study 2.
+/// One coarser run of Study 2, with the mechanics that drives it.
 struct Coarser {
   std::string name;
   const MechanicsRecord* mechanics = nullptr;
   double time_refinement = 0.5;
 };
 
-/// Noise of an instrument is not an error of the program.
+/// The case without the noise of its instruments, which is not an error of the program.
 Case without_noise(const Case& input) {
   Case result = input;
   for (const circuits::CircuitRow& circuit : circuits::circuits()) {
@@ -119,7 +121,7 @@ Case without_noise(const Case& input) {
   return result;
 }
 
-/// True if an instrument reads the electrode or a taxel.
+/// True if an instrument reads an electrode or a taxel.
 bool has_instrument(const Readout& readout) {
   bool found = bool(circuits::circuit(readout.circuit, readout.parameters).read);
   for (std::size_t i = 0; i < readout.taxels.size() && !found; ++i) {
@@ -128,10 +130,10 @@ bool has_instrument(const Readout& readout) {
   return found;
 }
 
-/// The coarser runs that tell the parts of a run of both studies.
+/// Coarser runs of Study 2 from which the parts of the error of a run are estimated.
 struct CoarserRuns {
-  MechanicsRecord
-      wider; ///< of `cells_run`; the other runs have the run's own mechanics, or coarser solutions
+  /// Mechanics of `cells_run`; the other runs use the run's own mechanics or its coarser solutions.
+  MechanicsRecord wider;
   std::vector<Coarser> runs;
 
   explicit CoarserRuns(const MechanicsRecord& mechanics)
@@ -148,7 +150,8 @@ struct CoarserRuns {
   CoarserRuns& operator=(const CoarserRuns&) = delete;
 };
 
-/// Results that `of_run` makes of each coarser run, side by side.
+/// Solves each coarser run of Study 2, in parallel, and returns by name what `of_run(case,
+/// mechanics, ions)` makes of it.
 template <class Result, class OfRun>
 std::map<std::string, Result> run_coarser(const Case& input, const std::vector<Coarser>& runs,
                                           int threads, const base::ProgressCallback& progress,
@@ -179,7 +182,7 @@ struct NamedPair {
   const char* coarser;
 };
 
-/// The pairs of Study 1 among results by name.
+/// Pairs of runs, by name, whose differences give the parts of the error that Study 1 makes.
 std::vector<NamedPair> mechanics_pairs(const MechanicsRecord& mechanics) {
   if (!mechanics.has_contact()) {
     return {};
@@ -195,7 +198,7 @@ std::vector<NamedPair> mechanics_pairs(const MechanicsRecord& mechanics) {
   return pairs;
 }
 
-/// Error estimates with those of Study 2; `own_run` is the run itself.
+/// Pairs of runs, by name, for all parts of the error. `own_run` is the run itself.
 std::vector<NamedPair> all_pairs(const MechanicsRecord& mechanics) {
   std::vector<NamedPair> pairs = mechanics_pairs(mechanics);
   pairs.push_back({parts::transport_grid, own_run, grid_run});
@@ -212,7 +215,7 @@ std::vector<ErrorPair> pairs_of(const std::vector<NamedPair>& names,
   return pairs;
 }
 
-/// Nothing is stated rather than a part for the whole.
+/// Reason for no error estimate at all: a part of the error would not stand for the whole.
 constexpr const char* no_coarser_solutions = "Study 1 has no solution on a coarser mesh";
 
 } // namespace

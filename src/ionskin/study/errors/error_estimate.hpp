@@ -14,29 +14,34 @@
 
 namespace ionskin::study {
 
-/// The stated errors of a run of both studies. What Study 1 leaves goes through the ion transport:
-/// the histories of its coarser solutions, and the history of the run on wider cells, are run
-/// through Study 2 on twice the mesh sizes and up to twice the time steps, and compared with the
-/// run's own history there. Two more runs tell what that grid and those steps leave.
-/// docs/errors-of-results.md says how the differences become errors. Parts of the mechanics are
-/// missing for a given strain; without coarser solutions nothing is estimated. Stage in `timers`:
-/// "error estimate". Throws SolverError when a coarser run finds no solution, and Interrupted.
-/// @param progress called with "error estimate"
+/// Estimates the numerical errors of a run of both studies, by metric and signal, from coarser
+/// solutions. For Study 1, the strain histories of its coarser solutions, and the history of the
+/// run on wider cells, are run through Study 2 with twice the mesh sizes and up to twice the time
+/// steps, and compared with the run's own history there. Two more runs give the errors of that grid
+/// and of those time steps. docs/errors-of-results.md says how the differences become errors. For a
+/// given strain, errors of Study 1 are missing; if a contact has no coarser solutions, nothing is
+/// estimated. Stage in `timers`: "error estimate".
+/// @param signals of the run
+/// @param progress receives the activity "error estimate"
+/// Throws SolverError when a coarser run finds no solution, and Interrupted.
 ErrorEstimate estimate_errors(const Case& input, const MechanicsRecord& mechanics,
                               const electrochemistry::IonSolution& ions, const Signals& signals,
                               int threads, base::Timers& timers,
                               const base::ProgressCallback& progress = base::no_progress);
 
-/// Half the width of the band about what a run says to measured data, one entry per row [unit of
-/// the data]; empty where the mechanics has no coarser solutions. Throws as above.
+/// Estimates the numerical error of a run's prediction of measured data, half the width of an error
+/// band with one entry per row of the data [unit of the data]. Empty where the contact has no
+/// coarser solutions.
+/// Throws as `estimate_errors`.
 std::vector<double> estimate_data_errors(const Case& input, const MechanicsRecord& mechanics,
                                          const electrochemistry::IonSolution& ions,
                                          const FitData& data, int threads);
 
-/// No error of any metric, with the reason.
+/// Error estimate that has an error for no metric, and gives a reason for each in `not_estimated`.
 ErrorEstimate no_estimate(const Signals& signals, const std::string& reason);
 
-/// Errors of Study 1 alone.
+/// Estimates the errors of a run of Study 1 without ion transport, from its coarser solutions.
+/// @param signals of the run, see `read_out_mechanics`
 ErrorEstimate estimate_mechanics_errors(const Case& input, const MechanicsRecord& mechanics,
                                         const Signals& signals, int threads);
 

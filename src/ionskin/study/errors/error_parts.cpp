@@ -18,14 +18,14 @@ using readout::Metric;
 using readout::Signal;
 using readout::SignalTable;
 
-/// Rows on either side whose differences count for a row of a band: between two coarse solutions
-/// they change sign from row to row.
+/// Number of rows on either side whose differences count for the band at a row, since the
+/// difference of two coarse solutions changes sign from row to row.
 constexpr std::ptrdiff_t band_reach = 2;
 
-// See `safety`.
+// Order of convergence and factor of safety, see `safety`.
 constexpr double verified_order = 1.8, richardson_safety = 2.0;
 
-/// A metric or a signal by its name; null for none.
+/// Metric or signal with a name; null if there is none.
 template <class Named>
 const Named* find_by_name(const std::vector<Named>& list, const std::string& name) {
   const auto found = std::ranges::find(list, name, &Named::name);
@@ -37,7 +37,7 @@ double value_of(const Signals& signals, const std::string& name) {
   return metric == nullptr ? std::nan("") : metric->value;
 }
 
-/// One pair on the rows of the run.
+/// Differences of one pair of solutions on the rows of the run.
 struct PairDifference {
   const ErrorPair* pair;
   TableDifference resolved, sampled;
@@ -63,7 +63,8 @@ PairDifference difference_of(const Signals& base, const ErrorPair& pair) {
   return result;
 }
 
-/// Norm of the difference of a signal over that of the signal; 0 for one that no table has.
+/// Norm over the run of the difference of a signal over the norm of the signal [1]; 0 for a signal
+/// that no table has.
 double relative_norm(const PairDifference& difference, const std::string& signal) {
   for (const TableDifference* table : {&difference.sampled, &difference.resolved,
                                        difference.circuit ? &*difference.circuit : nullptr,
@@ -79,7 +80,8 @@ bool is_electrical(const std::string& unit) {
   return unit == "A" || unit == "C" || unit == "V";
 }
 
-/// True if pressure makes a quantity under a law that moves water: currents, charges and voltages.
+/// True if the quantity is made by water pressure under a law that moves water: currents, charges,
+/// voltages and pressures.
 bool is_of_water(const std::string& name, const std::string& unit) {
   return is_electrical(unit) || unit == "V/N" ||
          name.find("pressure_difference") != std::string::npos ||
@@ -92,7 +94,7 @@ public:
                const ErrorFloors& floors)
       : base_(base), differences_(differences), floors_(floors) {}
 
-  /// Absolute, by part.
+  /// Error of a metric by part, in the unit of the metric.
   std::map<std::string, double> parts(const Metric& metric) const {
     std::map<std::string, double> result;
     for (const PairDifference& difference : differences_) {
@@ -124,8 +126,8 @@ public:
     return result;
   }
 
-  /// Error that rounding of the charges may leave in a current: over a readout interval, or over
-  /// the shortest step for what is resolved.
+  /// Error in a metric that rounding of the charges may cause. For a current the charge is divided
+  /// by the readout interval or, for resolved currents, by the shortest time step.
   double rounding(const Metric& metric) const {
     if (metric.unit == "C") {
       return floors_.charge;
@@ -181,7 +183,7 @@ private:
   const ErrorFloors& floors_;
 };
 
-/// Largest magnitude within the reach of a row.
+/// Largest magnitude within `band_reach` rows of a row.
 double largest_nearby(const std::vector<double>& values, std::size_t row) {
   double largest = 0;
   const auto at = static_cast<std::ptrdiff_t>(row);
@@ -193,7 +195,7 @@ double largest_nearby(const std::vector<double>& values, std::size_t row) {
   return largest;
 }
 
-/// Half a width of each column's band per row; `time` stays.
+/// Errors of all columns of a table, half the width of the error band per row; `time` is unchanged.
 SignalTable band(const SignalTable& base, const std::vector<PairDifference>& differences,
                  const std::function<const TableDifference*(const PairDifference&)>& table_of,
                  const ErrorFloors& floors) {
@@ -221,7 +223,7 @@ SignalTable band(const SignalTable& base, const std::vector<PairDifference>& dif
   return result;
 }
 
-/// Puts the errors of what is given in place of those that two solutions tell.
+/// Replaces the estimated errors of prescribed quantities by their distance from the prescription.
 void take_imposed(const std::vector<Signal>& imposed, SignalTable& bands) {
   for (const Signal& given : imposed) {
     for (Signal& column : bands.columns) {

@@ -21,7 +21,7 @@ using readout::Signal;
 
 constexpr double solved_for = std::numeric_limits<double>::quiet_NaN();
 
-/// Error of a normal force, where it is given [N].
+/// Error of a normal force, where it is prescribed; NaN elsewhere [N].
 double force_error(const MotionInstant& at, double force) {
   const bool given = at.level && at.level->is_force && at.level->touches() && force > 0;
   return given ? std::max(std::abs(force - at.level->value),
@@ -33,8 +33,9 @@ double height_error(const MotionInstant& at, double height) {
   return at.level && !at.level->is_force ? std::abs(height - at.level->value) : solved_for;
 }
 
-/// @param input of one slider alone
-/// @param suffix of its signals and figures
+/// Adds the errors of one slider.
+/// @param input case with this slider only
+/// @param suffix of the slider's signals and metrics
 void add_slider(const Case& input, const std::string& suffix, const Signals& signals,
                 ImposedErrors& errors) {
   const readout::MotionPhases phases(input.motion, input.slider);

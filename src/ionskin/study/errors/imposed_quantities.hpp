@@ -10,18 +10,21 @@
 
 namespace ionskin::study {
 
-/// Errors of what the case gives and Study 1 does not solve for: another mesh or other steps do not
-/// move it.
+/// Errors of quantities that the case prescribes, such as a normal force or a height of the slider.
+/// Another mesh or other steps do not move them, so that their error is not estimated from coarser
+/// solutions.
 struct ImposedErrors {
-  std::vector<readout::Metric> metrics; ///< error by the name of a metric
-  std::vector<readout::Signal> signals; ///< columns of signals.csv; NaN where a row is solved for
+  std::vector<readout::Metric> metrics; ///< errors by the name of a metric, in its unit
+  /// Errors by column of signals.csv, one entry per row; NaN where the quantity is solved for.
+  std::vector<readout::Signal> signals;
 };
 
-/// Distance of the results from what is given. A normal force is given where the motion goes by
-/// force, presses and has landed, and its error is at least what the contact is solved to; a height
-/// where it goes by height; the place of a slider on a rail, or of the end of a drive, always. On
-/// the way between a height and a force both are solved for, and a pull may end earlier on another
-/// mesh. Empty for a given strain.
+/// Computes the distance of prescribed quantities from their prescription. Prescribed are: the
+/// normal force where the motion goes by force, presses and has landed (its error is at least the
+/// tolerance of the contact solver); the height of the slider where it goes by height; and the
+/// position along the skin of a slider on a rail, or of the end of a drive, at any time. Not
+/// prescribed are height and force on the way from one to the other, and a pulling force, as the
+/// pull may end earlier on another mesh. Empty for a given strain.
 ImposedErrors imposed_errors(const Case& input, const Signals& signals);
 
 } // namespace ionskin::study

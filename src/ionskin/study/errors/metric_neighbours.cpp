@@ -13,7 +13,8 @@
 namespace ionskin::study {
 namespace {
 
-/// A metric whose name holds the first goes with the signal of the second; the first that fits.
+/// Signals related to metrics: a metric whose name contains the first text is related to the signal
+/// of the second; the first match counts.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 31> signal_of{{
     {"slip_time", "stick_share"},
     {"slip_lead", "stick_share"},
@@ -48,7 +49,7 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 31> signal_o
     {"nonlinearity", "p99_shear"},
 }};
 
-/// Parts of the names of what is made at the edges of the contact.
+/// Texts in the names of metrics and signals that depend on the edges of the contact.
 constexpr std::array<std::string_view, 10> made_at_edges{
     "first_moment", "p95_shear",    "p99_shear",     "element_max",   "membrane_stress",
     "nonlinearity", "contact_area", "mean_pressure", "peak_pressure", "stick"};
@@ -58,8 +59,8 @@ struct Neighbours {
   std::vector<std::string> others;
 };
 
-/// Metrics of one place and instant err together; an upper percentile errs as the other one. The
-/// largest value of the shear is not a neighbour: under sharp edges it does not converge.
+/// Metrics with related errors: those at one position and instant, and the two upper percentiles of
+/// the shear. The largest shear is not related, as it does not converge under sharp edges.
 const std::array<Neighbours, 9> neighbours{{
     {"contact_area_slide", {"mean_pressure_slide"}},
     {"mean_pressure_slide", {"contact_area_slide"}},
@@ -72,8 +73,8 @@ const std::array<Neighbours, 9> neighbours{{
     {"nonlinearity", {"p95_shear_slide"}},
 }};
 
-/// The figure of the first slider that a figure of another is named after, and the suffix; empty
-/// where it has none.
+/// Splits the name of a further slider's metric into the name of the first slider's metric and the
+/// suffix; the suffix is empty for other metrics.
 std::pair<std::string, std::string> of_slider(const std::string& metric) {
   for (std::size_t i = 1; i < most_sliders; ++i) {
     const std::string suffix = readout::slider_suffix(i);

@@ -6,23 +6,26 @@
 
 namespace ionskin::study {
 
-/// True if a metric judges the solution, such as a residual, or the instrument, and has no error of
-/// its own.
+/// True if a metric measures the quality of the solution, such as a residual, or the noise of the
+/// instrument, and therefore has no error of its own.
 bool is_audit(const std::string& metric);
 
-/// True if a metric or a signal is made at the edges of the contact, where the strain is singular
-/// or what touches changes by whole cells: first moments, percentiles and extremes of the shear,
+/// True if a metric or a signal depends on the edges of the contact, where the strain is singular
+/// or the contact changes by whole cells: first moments, percentiles and extremes of the shear;
 /// area, pressure and stick of the contact.
+/// @param quantity name of the metric or signal
 bool hangs_on_edges(const std::string& quantity);
 
-/// Signals whose relative error over the run a metric's is taken to be no smaller than.
+/// Names of the signals related to a metric: the relative error of the metric is taken to be at
+/// least the relative error norm of these signals over the run.
 std::vector<std::string> related_signals(const std::string& metric);
 
-/// Signals whose relative error over the run that of a signal is taken to be no smaller than, the
-/// signal itself left out: a mean shear follows the forces.
+/// Names of the signals that lead another signal, without the signal itself: its relative error is
+/// taken to be at least theirs. The normal force leads a mean shear; other signals have none.
 std::vector<std::string> leading_signals(const std::string& signal);
 
-/// Metrics whose relative error a metric's is taken to be no smaller than.
+/// Names of the metrics related to a metric, such as contact area and mean pressure: its relative
+/// error is taken to be at least theirs.
 std::vector<std::string> related_metrics(const std::string& metric);
 
 } // namespace ionskin::study

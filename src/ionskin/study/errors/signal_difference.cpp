@@ -25,7 +25,7 @@ std::vector<double> at_instants(const SignalTable& table, const std::string& col
   return values;
 }
 
-/// Root mean square, each row weighted by the step that ends there; NaN is passed over.
+/// Root of the sum of squares, each row weighted by the time step that ends there; NaN is skipped.
 double norm(const std::vector<double>& time, const std::vector<double>& values) {
   double sum = 0;
   for (std::size_t row = 1; row < time.size(); ++row) {
@@ -36,7 +36,7 @@ double norm(const std::vector<double>& time, const std::vector<double>& values) 
   return std::sqrt(sum);
 }
 
-/// The signals of a run on other steps.
+/// Interpolates the signals of a solution to the instants of a reference table.
 SignalTable on_steps(const SignalTable& reference, const SignalTable& table) {
   const std::vector<double>& time = reference.column("time").values;
   SignalTable result;

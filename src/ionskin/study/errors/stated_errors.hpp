@@ -9,15 +9,19 @@
 
 namespace ionskin::study {
 
-/// The stated errors of one run.
+/// Reported numerical errors of the metrics and signals of one run. Made by `estimate_errors`.
 struct ErrorEstimate {
-  std::map<std::string, double> relative; ///< sum of the parts over the value, by metric [1]
-  /// Parts of the errors by metric and part, in the unit of the metric.
+  /// Sum of the parts of the error over the magnitude of the value, by metric [1].
+  std::map<std::string, double> relative;
+  /// Parts of the error by metric and name of the part (`error_parts`), in the unit of the metric.
   std::map<std::string, std::map<std::string, double>> parts;
-  std::map<std::string, std::string>
-      not_converging; ///< reasons, by metric: finer meshes change it on
-  std::map<std::string, std::string> not_estimated; ///< reasons, by metric
-  /// Bands about the signals: the same columns, half a width per row [unit of the signal].
+  /// Reasons why a metric does not converge, by metric: finer meshes keep changing it, and its
+  /// error is no bound.
+  std::map<std::string, std::string> not_converging;
+  /// Reasons why a metric has no error, by metric.
+  std::map<std::string, std::string> not_estimated;
+  /// Errors of the signals: tables with the same columns and rows, half the width of the error band
+  /// about each value [unit of the signal]. Without columns, or empty, where not estimated.
   readout::SignalTable signals, sampled;
   std::optional<readout::SignalTable> taxels, circuit, water;
 };

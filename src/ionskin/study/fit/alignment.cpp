@@ -19,14 +19,17 @@ namespace {
 
 constexpr double cells_of_longer = 2048;
 
-/// Means over cells of equal length, from the cell of index `first` on; a cell's weight is the part
-/// of it that is known.
+/// Means of a signal over intervals of equal length on the time axis, from interval number `first`
+/// on; the weight of each is the part of it that is known, 0 to 1.
 struct Cells {
   std::int64_t first = 0;
   std::vector<double> values, weights;
 };
 
-/// A mean stands for the interval that ends at its row; between instants values are linear.
+/// Averages data over intervals. A mean holds for the interval that ends at its row; other values
+/// are linear between their rows.
+/// @param begin of interval 0 [s]
+/// @param length of an interval [s]
 Cells data_cells(const FitData& data, double begin, double length) {
   const std::vector<double> starts = interval_starts(data, begin);
   Cells cells;
@@ -76,7 +79,8 @@ std::vector<double> run_cells(const FitData& data, const electrochemistry::IonSo
   return predict(sampled, ions);
 }
 
-/// Values as the data's rows see them: means over as many cells as an interval of theirs has.
+/// Running means of values over as many intervals as a row of the data spans.
+/// @param cells number of intervals that a row spans
 std::vector<double> smoothed(const std::vector<double>& values, double cells) {
   const auto width = static_cast<std::size_t>(std::max(1.0, std::round(cells)));
   std::vector<double> result;
@@ -93,13 +97,13 @@ double correlation_at(const FitData& data, const electrochemistry::IonSolution& 
   return correlation(data.values, predict_shifted(data, ions, time_shift));
 }
 
-/// The best shift within a step of one, with its sign.
+/// Best shift within one step of a given shift, for the sign of its correlation.
 Alignment refined(const FitData& data, const electrochemistry::IonSolution& ions,
                   const Alignment& about, double step) {
   constexpr int most_parts = 128, parts_of_row = 64, bits = 26;
   const double sign = about.correlation < 0 ? -1 : 1;
   const auto likeness = [&](double shift) { return sign * correlation_at(data, ions, shift); };
-  // A charge that jumps within one row shows in a small part of it.
+  // A charge that jumps within one row correlates best in a small part of the row's interval.
   const double interval =
       (data.time.back() - data.time.front()) / static_cast<double>(data.time.size());
   const int parts =
@@ -126,7 +130,7 @@ Alignment best_alignment(const FitData& data, const electrochemistry::IonSolutio
   const double length = std::max(span, data.time.back() - data.time.front()) / cells_of_longer;
   const Cells cells = data_cells(data, begin, length);
   std::vector<double> signal = run_cells(data, ions, length);
-  double step = length; // between lags that are compared
+  double step = length; // interval between the shifts that are compared [s]
   if (is_mean(data)) {
     const std::vector<double> starts = interval_starts(data, begin);
     std::vector<double> intervals;
@@ -136,7 +140,7 @@ Alignment best_alignment(const FitData& data, const electrochemistry::IonSolutio
     const auto middle = intervals.begin() + static_cast<std::ptrdiff_t>(intervals.size() / 2);
     std::nth_element(intervals.begin(), middle, intervals.end());
     signal = smoothed(signal, *middle / length);
-    step += *middle; // rows are means already, so that the likest lag is half a row too early
+    step += *middle; // rows are means: the best shift on the grid is half a row too early
   }
   const double before = is_current(data) ? 0.0 : signal.front();
   const double behind = is_current(data) ? 0.0 : signal.back();
@@ -150,7 +154,7 @@ Alignment best_alignment(const FitData& data, const electrochemistry::IonSolutio
     yy += cells.weights[i] * cells.values[i] * cells.values[i];
   }
   const double spread = yy - y * y / w;
-  std::array<Alignment, 2> of_sign; // likest, and likest to minus the run
+  std::array<Alignment, 2> of_sign; // best shifts with positive and with negative correlation
   for (std::int64_t lag = cells.first - run + overlap; lag <= cells.first + count - overlap;
        ++lag) {
     double s = 0, ss = 0, sy = 0;
@@ -170,7 +174,8 @@ Alignment best_alignment(const FitData& data, const electrochemistry::IonSolutio
       best = {static_cast<double>(lag) * length, r};
     }
   }
-  // A sharp signal is likest between two lags: both signs are refined before they are compared.
+  // A sharp signal correlates best between two shifts of the grid: both signs are refined before
+  // they are compared.
   Alignment likest;
   for (Alignment at_lag : of_sign) {
     if (at_lag.correlation == 0 || (at_lag.correlation < 0 && sign != Sign::free)) {
@@ -223,7 +228,7 @@ LinearFit linear_fit(const FitData& data, const std::vector<double>& signal, boo
     power += signal[row] * signal[row];
   }
   const double size = power > 0 ? std::sqrt(power / static_cast<double>(rows)) : 1.0;
-  columns.col(0) /= size; // signals of 1e-9 A beside a baseline of 1
+  columns.col(0) /= size; // else a signal of 1e-9 A stands beside a baseline column of 1
   const Eigen::VectorXd found = columns.completeOrthogonalDecomposition().solve(values);
   return {found[0] / size, found[1], found[2], (values - columns * found).squaredNorm()};
 }

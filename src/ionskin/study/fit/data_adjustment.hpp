@@ -10,34 +10,40 @@
 
 namespace ionskin::study {
 
-/// Departure of the record of an instrument from the signal of a run: measured(t) = gain * signal(t
-/// - time_shift) + baseline + drift * (t - first t).
+/// Properties of an instrument's record that make it depart from the signal of a run: measured(t) =
+/// gain * signal(t - time_shift) + baseline + drift * (t - first t), where first t is the first
+/// row.
 struct DataAdjustment {
   double time_shift = 0; ///< delay of the record's clock [s]
   double baseline = 0;   ///< [unit of the data]
   double drift = 0;      ///< [unit of the data / s]
   double gain = 1;       ///< negative where the electrodes are swapped [1]
 
+  /// Member for a key of `data_keys`.
   double& of(std::string_view key);
 };
 
-/// "data.time_shift" and so on: the keys of the record that a fit may free beside those of a case.
+/// Names of the four properties of the record that a fit may free beside the keys of a case:
+/// "data.time_shift", "data.baseline", "data.drift" and "data.gain".
 const std::vector<std::string>& data_keys();
+/// True if a key is one of `data_keys`.
 bool is_data_key(std::string_view key);
-/// Unit of such a key for data in `unit`.
+/// Unit of a key of `data_keys`.
+/// @param unit of the data
 std::string data_key_unit(std::string_view key, const std::string& unit);
 
-/// Record that a run would leave, one entry per row. Before its beginning the run rests, and behind
-/// its end its charges stay.
+/// Predicts the record of an instrument from a solution, one value per row of the data, in the unit
+/// of the data. Before its start the run is at rest, and after its end charges stay constant.
+/// @param adjustment clock, gain, baseline and drift of the record
 std::vector<double> predict(const FitData& data, const electrochemistry::IonSolution& ions,
                             const DataAdjustment& adjustment);
 
-/// Record that a run would leave, one entry per row, on a clock that is late by `time_shift` [s]
-/// and without any other departure.
+/// Predicts the record of an instrument whose clock is late by `time_shift` [s] and that departs
+/// from the signal in no other way; one value per row of the data.
 std::vector<double> predict_shifted(const FitData& data, const electrochemistry::IonSolution& ions,
                                     double time_shift);
 
-/// The data with a clock that is right.
+/// Copy of the data with `time_shift` [s] subtracted from all times.
 FitData without_shift(FitData data, double time_shift);
 
 } // namespace ionskin::study

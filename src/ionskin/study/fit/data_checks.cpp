@@ -13,24 +13,24 @@
 namespace ionskin::study {
 namespace {
 
-constexpr double alike = 0.5;        // of a correlation, above which two signals have one shape
-constexpr double clearly = 0.1;      // by which a correlation is better than another
-constexpr double hopeless = 0.3;     // below it amplitudes go to 0
-constexpr double sure = 0.8;         // of the correlation of a shifted signal
-constexpr double other_size = 5;     // of the data, in the start's
-constexpr double too_large = 30;     // likewise: no search gets there in reasonable time
-constexpr double too_small = 1e-6;   // likewise
-constexpr double level_share = 1e-9; // of the largest value: values that differ by less are one
+constexpr double alike = 0.5;    // correlation above which two signals have the same shape
+constexpr double clearly = 0.1;  // difference by which one correlation is better than another
+constexpr double hopeless = 0.3; // correlation below which a fit drives amplitudes to 0
+constexpr double sure = 0.8;     // correlation of a shifted signal above which the shift is sure
+constexpr double other_size = 5; // ratio of the sizes of data and start's signal that is warned of
+constexpr double too_large = 30; // ratio of sizes that no search bridges in reasonable time
+constexpr double too_small = 1e-6;   // the same for data that are too small
+constexpr double level_share = 1e-9; // relative difference below which values count as equal
 
-/// Keys that move the signal in time.
+/// True if the model frees keys that move the signal in time.
 bool frees_motion(const FitModel& model) {
   return std::ranges::any_of(model.parameters(),
                              [](const auto& one) { return one.key.starts_with("motion."); });
 }
 
 void require_kept_sign(const Alignment& kept, const Alignment& turned, double correlation) {
-  // A touch whose landing and leaving look alike turns its sign with a shift, too: of the two the
-  // one with the smaller shift is likelier.
+  // Where landing and leaving of a touch give signals of the same shape and opposite sign, a shift
+  // reverses the sign of the correlation, too. The smaller shift is more likely then.
   const bool in_place = correlation < -alike && -correlation > kept.correlation - clearly;
   const bool late = turned.correlation < -alike && correlation < alike &&
                     (-turned.correlation > kept.correlation + clearly ||

@@ -22,13 +22,14 @@ namespace {
 
 constexpr double gain_tolerance = 1e-7, step_tolerance = 1e-5; // relative
 constexpr int most_iterations = 50;
-constexpr int most_shortened = 12;   // trials of one step that lead too far, or to no solution
-constexpr double search_ends = 5e-5; // so close to the optimum, in a unit of a coordinate
+constexpr int most_shortened = 12;   // failed trials of one step: too far away, or without solution
+constexpr double search_ends = 5e-5; // distance from the optimum, in coordinates, at which it ends
 
-/// Tells the progress and ends the fit on an interrupt.
+/// Reports the progress after each iteration, and ends the fit on an interrupt.
 class Watch : public ceres::IterationCallback {
 public:
-  /// @param at the coordinates, which Ceres keeps up to date
+  /// Callback for Ceres.
+  /// @param at the coordinates, which Ceres updates in each iteration
   Watch(Misfit& misfit, const std::vector<double>& at, const base::ProgressCallback& progress)
       : misfit_(misfit), at_(at), progress_(progress) {}
 
@@ -91,7 +92,8 @@ FitModel::Ions solve_start(FitModel& model) {
   return ions;
 }
 
-/// Rows that lie behind the end of the run, by more than an interval, once the shift is taken off.
+/// Removes rows that lie more than one interval after the end of the run, and warns.
+/// @param end of the run on the clock of the data [s]
 void drop_late_rows(FitData& data, double end, std::vector<std::string>& warnings) {
   const std::size_t rows = data.time.size();
   const double interval = rows > 1 ? (data.time.back() - data.time.front()) / (rows - 1.0) : 0;
@@ -140,7 +142,9 @@ void require_rows(const FitModel& model, const FitData& data) {
   }
 }
 
-/// @param scale of the coordinate, 0 for a logarithm @param half_width of the interval there
+/// Fitted parameter with its interval.
+/// @param scale of the coordinate; 0 for a logarithm
+/// @param half_width of the interval in the coordinate
 FittedParameter fitted(const FitParameter& parameter, double value, double scale,
                        double half_width) {
   if (scale > 0) {

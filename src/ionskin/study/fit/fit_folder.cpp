@@ -22,7 +22,7 @@ namespace {
 namespace names = results::file_names;
 using Json = nlohmann::ordered_json;
 
-/// Not finite: null.
+/// JSON number; null for NaN and infinity.
 Json number(double value) {
   return std::isfinite(value) ? Json(value) : Json(nullptr);
 }
@@ -62,7 +62,8 @@ std::vector<double> fitted_values(const FitResult& result) {
   return values;
 }
 
-/// A fit keeps its result where the error of the curve cannot be estimated.
+/// Adds the numerical error of the fitted curve. If it cannot be estimated, the fit keeps its
+/// result and warns.
 void add_errors(FitModel& model, const FitData& data, FitResult& result) {
   std::string reason = "the mechanics has no solution on a mesh of twice the size";
   try {
@@ -172,7 +173,7 @@ FitResult run_fit(const FitRequest& request, const FitOptions& options) {
   } catch (const Interrupted&) {
     note_state("interrupted");
     throw;
-  } catch (const UserError&) { // of the data: nothing was found that the next try could take up
+  } catch (const UserError&) { // a fault of the data: nothing that a next fit could reuse
     folder.discard();
     throw;
   } catch (...) {

@@ -55,7 +55,7 @@ FitAnswer read_answer(const results::ForeignHdf5File& file) {
   }
   Ions ions;
   for (const Column& column : columns) {
-    if (file.has(column.name)) { // one without rows is not written
+    if (file.has(column.name)) { // a column without rows is not written
       ions.*column.values = file.read(column.name);
     }
   }
@@ -101,13 +101,13 @@ FitLog::FitLog(results::OutputFolder& folder) : folder_(folder) {
 
 void FitLog::take_up(const std::filesystem::path& path) {
   if (base::check_seal(path) != base::SealState::whole) {
-    return; // Damaged, as by a power cut, or of another build: it is solved again.
+    return; // Damaged, as by a power cut, or of another build: the point is solved again.
   }
   try {
     const results::ForeignHdf5File file(path);
     answers_[file.has("/point") ? file.read("/point") : std::vector<double>()] = read_answer(file);
   } catch (const UserError&) {
-    // Not what it seems: it is solved again.
+    // The file is not what its name says: the point is solved again.
   }
 }
 
@@ -123,7 +123,7 @@ void FitLog::add(const std::vector<double>& point, const FitAnswer& answer) {
   const std::string name = place + base::DigestBuilder().add(point).finish().hex() + extension;
   base::PendingFile pending(folder_.own(name));
   results::Hdf5File file(pending.path(), results::Hdf5File::Access::create);
-  if (!point.empty()) { // data keys alone are free
+  if (!point.empty()) { // empty where only keys of the data are free
     file.write("/point", point);
   }
   if (answer.ions) {
@@ -154,7 +154,7 @@ void FitLog::remove() {
       folder_.remove(name);
     }
   }
-  std::error_code ignored; // only an empty folder goes
+  std::error_code ignored; // only an empty folder is removed
   std::filesystem::remove(folder_.file(results::file_names::evaluations), ignored);
 }
 

@@ -14,33 +14,37 @@
 
 namespace ionskin::study {
 
-/// Answer of the model at one point: time, charges and voltage of the solution, which every column
-/// of data follows from, of one taxel where the data are its, or why there is none.
+/// Answer of the model at one point of the search: the part of the ion solution from which every
+/// column of data is predicted (time, charges, voltage, and one taxel where the data are from it),
+/// or the reason why there is no solution.
 struct FitAnswer {
+  /// Reduced solution; null when there is none.
   std::shared_ptr<const electrochemistry::IonSolution> ions;
   std::string failure; ///< empty when there is a solution
 };
 
-/// The part of a solution that a `FitAnswer` holds.
-/// @param taxel that the data are of; empty for none
+/// Reduces a solution to the part that a `FitAnswer` holds.
+/// @param taxel name of the taxel that the data are from; empty for none
 FitAnswer fit_answer(const electrochemistry::IonSolution& ions, const std::string& taxel = "");
 
-/// The finished evaluations of a fit in a folder, a file each, written when it ends. A fit is
-/// deterministic: one that finds its evaluations again goes the same way without solving them. Safe
-/// to use from several threads.
+/// Finished evaluations of a fit, each in a file of its own in the output folder, so that an
+/// interrupted fit can be resumed. A fit is deterministic: it repeats the same search and finds the
+/// stored evaluations instead of solving them. Thread-safe.
 class FitLog {
 public:
-  /// Takes up what this build left in the folder's subfolder `evaluations`; the folder must live
-  /// on.
+  /// Reads the evaluations that this build of the program left in the subfolder `evaluations`.
+  /// @param folder must outlive this object
   explicit FitLog(results::OutputFolder& folder);
 
-  /// The evaluation at a point, if it is in the log.
-  /// @param point values of the free keys [SI]
+  /// Evaluation at a point; empty if it is not in the log.
+  /// @param point values of the free keys of the case [SI]
   std::optional<FitAnswer> find(const std::vector<double>& point) const;
+  /// Adds an evaluation and writes its file.
+  /// @param point values of the free keys of the case [SI]
   void add(const std::vector<double>& point, const FitAnswer& answer);
-  /// Number of evaluations that an earlier fit left.
+  /// Number of evaluations read from an earlier fit.
   std::size_t taken_up() const { return taken_up_; }
-  /// Removes the files and the folder: the fit is finished.
+  /// Removes the files of all evaluations and their subfolder, once the fit is finished.
   void remove();
 
 private:

@@ -39,7 +39,7 @@ namespace {
                          : fmt::format("did you mean {}?", nearest));
 }
 
-/// The magnitudes that a key's range allows to the sign of its value.
+/// Sets the range of the magnitude that the key's range allows for the sign of its value.
 void set_bounds(const Range& range, FitParameter& parameter) {
   const bool positive = parameter.start > 0;
   const double near = positive ? range.lower : -range.upper;
@@ -48,7 +48,7 @@ void set_bounds(const Range& range, FitParameter& parameter) {
   parameter.highest = far;
 }
 
-/// The fit finds where such a key starts by the data.
+/// Parameter of a key of the data; its start is found from the data later.
 FitParameter make_data_parameter(const std::string& key) {
   if (!is_data_key(key)) {
     refuse(key, "unknown key of the data", fmt::format("known: {}", fmt::join(data_keys(), ", ")));
@@ -141,7 +141,8 @@ FitModel::Mechanics FitModel::mechanics_of(const Case& input) {
     contact_options.threads = options_.threads;
     contact_options.progress = options_.progress;
     Case alone = input;
-    alone.numerics.error_estimate = false; // its coarser solutions are asked for at the end
+    // `errors` solves the coarser solutions at the end of the fit.
+    alone.numerics.error_estimate = false;
     record = record_mechanics(
         input, solve_mechanics(alone, {input.contact.friction}, contact_options, timers).front());
     ++mechanics_solves_;
@@ -222,7 +223,7 @@ void FitModel::find_answer(const std::vector<double>& point, int threads) {
     answer = fit_answer(solve(point, threads), taxel_);
   } catch (const SolverError& error) {
     answer.failure = fmt::format("{}; {}", error.what(), error.remedy());
-  } catch (const UserError& error) { // the start was checked: these values do not fit together
+  } catch (const UserError& error) { // the start was valid, but these values do not fit together
     answer.failure = error.what();
   }
   if (log_ != nullptr) {
@@ -242,8 +243,8 @@ std::vector<FitModel::Ions> FitModel::solutions(const std::vector<std::vector<do
       wanted.push_back(values);
     }
   }
-  // The threads are divided among all points: whichever are known already, a solution is worked the
-  // same way.
+  // The threads are divided among all points, known or not, so that a solution is computed in the
+  // same way whichever points are known already.
   const int each = std::max(1, options_.threads / std::max(1, static_cast<int>(points.size())));
   parallel::run_tasks(missing.size(), options_.threads,
                       [&](std::size_t i) { find_answer(missing[i], each); });

@@ -19,12 +19,14 @@
 
 namespace ionskin::study {
 
-/// One key that a fit varies, in SI units. A key of the case keeps its sign: the fit works on the
-/// logarithm of its magnitude. One of the data (`data_keys`) is varied as it is.
+/// Parameter that a fit varies, in SI units. A key of the case keeps its sign, as the fit works on
+/// the logarithm of its magnitude; a key of the data (`data_keys`) is varied linearly.
 struct FitParameter {
-  std::string key, unit; ///< unit empty while it follows from the data
+  std::string key, unit; ///< unit is empty for a key of the data until the data are known
+  /// Initial value.
   double start = 0;
-  double lowest = 0, highest = 0; ///< of the magnitude, within the key's range
+  /// Range of the magnitude that the key allows; infinite for a key of the data.
+  double lowest = 0, highest = 0;
 };
 
 struct FitModelOptions {
@@ -32,53 +34,62 @@ struct FitModelOptions {
   base::ProgressCallback progress = base::no_progress;
 };
 
-/// A case as a function of a few of its numbers. Study 1 is solved once for all values that leave
-/// it the same; every answer is kept. For one thread at a time, which works with several.
+/// A case as a function of a few of its numbers, the model that a fit evaluates. Study 1 is solved
+/// once for all values that do not change it, and every answer is stored. The model works with
+/// several threads, but is to be called from one at a time.
 class FitModel {
 public:
   using Ions = std::shared_ptr<const electrochemistry::IonSolution>;
 
-  /// @param text, path, set_edits the case; the path names it and anchors the files it names
-  /// @param free keys of single real numbers that are not 0, and keys of the data
-  /// Throws UserError for another key, and for everything that is wrong with the case.
+  /// Reads and checks the case and makes one parameter of each free key.
+  /// @param text, path, set_edits the case; `path` is used in messages and for relative file names
+  /// @param free keys of the case with a single real number that is not 0, and keys of the data
+  /// Throws UserError for any other key, and for everything that is wrong with the case.
   FitModel(std::string text, std::string path, std::vector<std::string> set_edits,
            const std::vector<std::string>& free, FitModelOptions options);
 
   const std::vector<FitParameter>& parameters() const { return parameters_; }
+  /// True if a key is one of the parameters.
   bool frees(std::string_view key) const;
   const Case& start_case() const { return start_case_; }
   const std::string& path() const { return path_; }
-  /// The case at other values of the parameters.
+  /// Reads the case at other values of the parameters.
+  /// @param values one per parameter [SI]; values of keys of the data change nothing
   Case case_at(const std::vector<double>& values) const;
 
-  /// Keeps the charges of a taxel with those of the electrodes, for data of that taxel.
-  /// @param taxel empty for none
+  /// Stores the charges of a taxel in all further answers, for data from that taxel.
+  /// @param taxel its name; empty for none
   void keep_taxel(std::string taxel) { taxel_ = std::move(taxel); }
 
-  /// First and last instant of the run [s].
+  /// First and last instant of the run [s]; reads the strain history where the case gives one.
   std::pair<double, double> span();
 
-  /// Every solution from now on goes into the log, and values that are in the log are not solved
-  /// again.
-  /// @param log must outlive the model's answers
+  /// Stores every further answer in a log, and takes answers from it instead of solving them again.
+  /// @param log must outlive this model
   void keep_answers_in(FitLog& log) { log_ = &log; }
 
-  /// The solution of each point, as far as data need it; null where there is none.
-  /// @param points one value per parameter each, in SI units; those of the data change nothing
+  /// Solves the case at each point, in parallel, unless its answer is stored.
+  /// @param points one value per parameter each [SI]; values of keys of the data change nothing
+  /// @returns for each point the part of the solution that data need; null where there is none
   /// Throws Interrupted.
   std::vector<Ions> solutions(const std::vector<std::vector<double>>& points);
-  /// The values of a point that belong to the data.
+  /// Values of a point that belong to keys of the data; keys that are not free have no effect (gain
+  /// 1, others 0).
+  /// @param point one value per parameter [SI]
   DataAdjustment adjustment_at(const std::vector<double>& point) const;
 
-  /// Half the width of the band of numerical errors about the fitted curve, one entry per row of
-  /// the data; empty where they are not estimated. Solves the coarser solutions of Study 1: for the
-  /// end of a fit. Throws SolverError, Interrupted.
+  /// Estimates the numerical error of the fitted curve, half the width of an error band with one
+  /// entry per row of the data [unit of the data]; empty where it cannot be estimated. Solves the
+  /// coarser solutions of Study 1, so it is meant for the end of a fit.
+  /// @param point values of the parameters [SI]
+  /// Throws SolverError, Interrupted.
   std::vector<double> errors(const FitData& data, const std::vector<double>& point);
 
+  /// Number of ion transport solutions solved by this model.
   std::size_t ion_solves() const { return ion_solves_; }
   std::size_t evaluations_taken_up() const { return log_ != nullptr ? log_->taken_up() : 0; }
   std::size_t mechanics_solves() const { return mechanics_solves_; }
-  /// Reason why there was none at last; empty when there always was.
+  /// Reason why the last point without a solution had none; empty when all points had one.
   const std::string& last_failure() const { return last_failure_; }
 
 private:
@@ -97,7 +108,7 @@ private:
   std::vector<FitParameter> parameters_;
   std::mutex mechanics_mutex_;
   std::map<std::string, Mechanics> mechanics_;       ///< by `mechanics_hash`
-  std::map<std::vector<double>, FitAnswer> answers_; ///< by the keys of the case
+  std::map<std::vector<double>, FitAnswer> answers_; ///< by the values of the keys of the case
   std::mutex answers_mutex_;
   FitLog* log_ = nullptr;
   std::size_t ion_solves_ = 0, mechanics_solves_ = 0;

@@ -11,13 +11,15 @@
 namespace ionskin::study {
 namespace {
 
-constexpr double rank_tolerance = 1e-10;    // singular values below this part of the largest are 0
-constexpr double ill_conditioned = 1e3;     // above it the combination that is fixed worst is named
-constexpr double strong_correlation = 0.95; // above it two estimates trade against each other
-constexpr double hardly_determined = 0.5;   // half width of an interval, relative
-constexpr double noise_deviations = 4;      // of the lag correlation of noise
-// Share of the variance below which residuals are rounding of the data and of the solution: 1e-4 of
-// a signal, far below what a mesh leaves.
+// Singular values below this part of the largest count as 0.
+constexpr double rank_tolerance = 1e-10;
+// Limits above which the user is warned.
+constexpr double ill_conditioned = 1e3;     // condition number
+constexpr double strong_correlation = 0.95; // correlation of two estimates
+constexpr double hardly_determined = 0.5;   // relative half width of an interval
+constexpr double noise_deviations = 4;      // lag correlation, in deviations of that of noise
+// Share of the variance below which residuals count as rounding of the data and of the solution:
+// 1e-4 of a signal, far below the errors of a mesh.
 constexpr double negligible_share = 1e-8;
 
 Eigen::VectorXd vector(const std::vector<double>& values) {
@@ -39,7 +41,8 @@ double lag_correlation(const Eigen::VectorXd& residuals) {
   return power > 0 ? residuals.head(n - 1).dot(residuals.tail(n - 1)) / power : 0.0;
 }
 
-/// Errors and correlations from the singular values; what lies in the null space has no bound.
+/// Adds standard errors and correlations from the singular values; a parameter with a part in the
+/// null space has an infinite error.
 void add_covariance(const Eigen::JacobiSVD<Eigen::MatrixXd>& svd, double deviation,
                     FitStatistics& statistics) {
   const Eigen::VectorXd& singular = svd.singularValues();
@@ -125,7 +128,8 @@ std::vector<std::string> fit_warnings(const FitStatistics& statistics,
       }
     }
     const double half_width = statistics.quantile * statistics.log_error[i];
-    const bool of_data = keys[i].starts_with("data."); // not a factor: its coordinate is linear
+    // The interval of a key of the data is no factor, as its coordinate is linear.
+    const bool of_data = keys[i].starts_with("data.");
     const double undetermined =
         of_data ? std::numeric_limits<double>::infinity() : std::log(undetermined_factor);
     if (!(half_width < undetermined)) {

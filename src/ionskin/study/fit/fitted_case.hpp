@@ -8,9 +8,9 @@
 
 namespace ionskin::study {
 
-/// The text of the case at fitted values, which names at its head the fitted keys and the data. A
-/// comment behind a fitted value, or in the lines right above it, tells of the value that stood
-/// there: it is left out.
+/// Text of the case at fitted values, in TOML, with a first line that names the fitted keys and the
+/// data. Comments behind a fitted value and in the lines directly above are left out, as they are
+/// about the former value.
 /// @param values one per parameter [SI]
 /// @param data name of the data that were fitted
 std::string fitted_case_text(const FitModel& model, const std::vector<double>& values,

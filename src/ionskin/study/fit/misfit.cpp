@@ -7,13 +7,14 @@
 namespace ionskin::study {
 namespace {
 
-// Difference of log parameters. Time steps change with the parameters, so differences must be well
-// above that.
+// Step of the differences in the logarithm of a parameter. Time steps change with the parameters,
+// and the step must be large enough that this does not show.
 constexpr double difference = 0.05;
-// Difference of a shift, in parts of the interval between rows: no solution changes with it.
+// Step of the differences in a time shift, relative to the interval between rows: no solution
+// changes with it.
 constexpr double shift_difference = 0.05;
-// Longest change of one step: where a key of the case changes by more than a factor of ten, or the
-// clock by more than an interval between rows, the derivatives tell nothing.
+// Longest step of the search, in coordinates. Derivatives do not predict a change of a key of the
+// case by more than a factor of ten, or of the clock by more than an interval between rows.
 constexpr double longest_log_step = 2.303, longest_shift_step = 1;
 
 } // namespace
@@ -62,7 +63,7 @@ std::optional<std::vector<double>> Misfit::fitted(const std::vector<double>& coo
   return ions ? std::optional(predict(data_, *ions, model_.adjustment_at(point))) : std::nullopt;
 }
 
-/// The signal is linear in all of them but the shift.
+/// Derivatives by a key of the data. The prediction is linear in all of them but the time shift.
 std::vector<double> Misfit::by_data(const std::vector<double>& coordinates,
                                     std::size_t parameter) const {
   const bool shift = model_.parameters()[parameter].key == "data.time_shift";
@@ -152,7 +153,7 @@ bool Misfit::Evaluate(const double* const* parameters, double* residuals,
       }
     }
     return true;
-  } catch (...) { // must not pass through Ceres
+  } catch (...) { // exceptions must not pass through Ceres
     failure_ = std::current_exception();
     return false;
   }

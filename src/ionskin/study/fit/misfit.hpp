@@ -12,32 +12,41 @@
 
 namespace ionskin::study {
 
-/// Residuals and derivatives as Ceres asks for them: scaled, in coordinates. The coordinate of a
-/// key of the case is the logarithm of its magnitude; that of one of the data its distance from the
-/// start in parts of a scale.
+/// Cost function of the fit for Ceres: residuals (data minus model, scaled by the size of the data)
+/// and their derivatives as functions of coordinates. The coordinate of a key of the case is the
+/// logarithm of its magnitude; the coordinate of a key of the data is its distance from the start
+/// over a scale.
 class Misfit : public ceres::CostFunction {
 public:
-  /// @param start one value per parameter [SI]; model and data must outlive the misfit
+  /// Cost function about a start.
+  /// @param start one value per parameter [SI]
+  /// @param model, data must outlive this object
   Misfit(FitModel& model, const FitData& data, const std::vector<double>& start);
 
+  /// Residuals and, unless null, derivatives, as Ceres defines them; false where there is no
+  /// solution. Stores an exception for `rethrow`.
   bool Evaluate(const double* const* parameters, double* residuals,
                 double** jacobians) const override;
 
+  /// Coordinates of values of the parameters [SI].
   std::vector<double> coordinates(const std::vector<double>& values) const;
+  /// Values of the parameters [SI] at coordinates.
   std::vector<double> values(const std::vector<double>& coordinates) const;
-  /// Change of the parameter in one unit of its coordinate; 0 for a logarithm.
+  /// Scale of a parameter: change of a key of the data per unit of its coordinate [SI]; 0 for a key
+  /// of the case, whose coordinate is a logarithm.
   double scale(std::size_t parameter) const { return scales_[parameter]; }
 
-  /// The model at every row of the data; nothing where there is no solution.
+  /// Prediction of the model at every row of the data [unit of the data]; empty where there is no
+  /// solution.
   std::optional<std::vector<double>> fitted(const std::vector<double>& coordinates) const;
-  /// Derivatives of that by the coordinates; nothing where there is no solution.
+  /// Derivatives of `fitted` by the coordinates; empty where there is no solution.
   std::optional<Jacobian> derivatives(const std::vector<double>& coordinates) const;
 
-  /// Steps go out from here: one that leads far away finds no answer, so that the solver shortens
-  /// it before any solution is sought there.
+  /// Sets the point from which the search takes its steps. `Evaluate` refuses points far away from
+  /// it without solving them, so that the solver shortens its step.
   void accept(const std::vector<double>& coordinates) { accepted_ = coordinates; }
 
-  /// Rethrows the exception that an evaluation met, if any.
+  /// Rethrows the exception that an evaluation met, if any; exceptions must not pass through Ceres.
   void rethrow() const;
   bool failed() const { return failure_ != nullptr; }
 
@@ -48,8 +57,8 @@ private:
   FitModel& model_;
   const FitData& data_;
   std::vector<double> start_, scales_, accepted_;
-  double size_ = 1;     ///< of the data
-  double interval_ = 1; ///< between rows [s]
+  double size_ = 1;     ///< root mean square of the data [unit of the data]
+  double interval_ = 1; ///< mean interval between rows [s]
   mutable std::exception_ptr failure_;
 };
 

@@ -16,16 +16,17 @@
 namespace ionskin::study {
 namespace {
 
-/// Rows at the ends of the data's range that are left out: where an instrument would saturate.
+/// Ends of the data's range, smallest or largest value, whose rows are left out since an instrument
+/// would saturate there.
 struct Ends {
   bool least = false, largest = false;
 };
 
-/// Model at the ends once it is fitted to the other rows.
+/// Data without the rows at the ends of their range, and the signal there and at these rows.
 struct WithoutEnds {
-  FitData rows;                                ///< the others
-  std::vector<double> signal;                  ///< signal at the other rows
-  double beyond_least = 0, beyond_largest = 0; ///< mean of the signal over the ends
+  FitData rows;                                ///< remaining rows
+  std::vector<double> signal;                  ///< signal at the remaining rows
+  double beyond_least = 0, beyond_largest = 0; ///< mean of the signal over the rows at each end
   std::size_t least_rows = 0, largest_rows = 0;
 };
 
@@ -51,7 +52,8 @@ WithoutEnds without_ends(const FitData& data, const std::vector<double>& signal,
   return result;
 }
 
-/// True of ends where values stand that noise does not repeat: one twice, or one and its negative.
+/// True if the ends look like limits of an instrument, which noise does not repeat: one value
+/// several times, or a value and its negative.
 bool are_limits(const FitData& data, const WithoutEnds& others, Ends ends) {
   const auto [least, most] = std::ranges::minmax(data.values);
   const bool twice =
@@ -59,10 +61,11 @@ bool are_limits(const FitData& data, const WithoutEnds& others, Ends ends) {
   return twice || (ends.least && ends.largest && std::abs(least + most) < 1e-6 * (most - least));
 }
 
-/// Data are clipped that a model fitted to all rows but those at the ends of the range leaves by a
-/// tenth of the range there, if it describes the others ten times as well, or the ends are limits
-/// whose rows hold far more of the misfit than as many others.
-/// @param left the sum of squares that the fit leaves
+/// Sentence on a saturated instrument; empty where there is no sign of it. Data count as clipped if
+/// a model fitted to all rows but those at the ends of the range exceeds these by a tenth of the
+/// range, and either describes the remaining rows ten times as well, or the ends are limits whose
+/// rows hold far more of the misfit than as many others.
+/// @param left sum of squares of the residuals of the fit
 std::string clipping(const FitData& data, const std::vector<double>& signal, bool baseline,
                      bool drift, double left) {
   constexpr double beyond = 0.1, better = 0.1, outlying = 50;
@@ -94,8 +97,8 @@ std::string clipping(const FitData& data, const std::vector<double>& signal, boo
   return "";
 }
 
-/// Few rows that hold nearly all of a misfit: nothing that fits to all rows may be read from them.
-/// @param left     the sum of squares that the fit leaves
+/// Sentence on outliers, few rows that hold nearly all of the misfit; empty where there are none.
+/// @param left sum of squares of the residuals of the fit
 /// @param variance sum of squares of the data about their mean
 std::string outlying_rows(const FitData& data, const std::vector<double>& fitted, double left,
                           double variance) {
@@ -103,7 +106,7 @@ std::string outlying_rows(const FitData& data, const std::vector<double>& fitted
   if (!(left > worth_naming * variance)) {
     return "";
   }
-  std::vector<std::pair<double, double>> squares; // with the time
+  std::vector<std::pair<double, double>> squares; // squared residuals with their times
   for (std::size_t row = 0; row < fitted.size(); ++row) {
     squares.emplace_back(std::pow(data.values[row] - fitted[row], 2), data.time[row]);
   }
@@ -124,7 +127,7 @@ std::string outlying_rows(const FitData& data, const std::vector<double>& fitted
                      squares.front().second);
 }
 
-/// A way to explain a misfit that no key of the case has.
+/// Time shift, baseline and drift that may explain a misfit, with the linear fit that results.
 struct Explanation {
   bool shift = false, baseline = false, drift = false;
   double time_shift = 0;
@@ -164,7 +167,9 @@ double left_of(const FitData& data, const std::vector<double>& fitted) {
   return squares;
 }
 
-/// The simplest explanation that leaves less than half, and not much more than all together.
+/// Finds the simplest explanation that leaves less than half of the misfit, and not much more than
+/// all explanations together.
+/// @param left sum of squares of the residuals of the fit
 std::optional<Explanation> find_explanation(const FitModel& model, const FitData& data,
                                             const electrochemistry::IonSolution& ions,
                                             const DataAdjustment& adjustment, double left) {
@@ -206,8 +211,8 @@ std::vector<std::string> explain_misfit(const FitModel& model, const FitData& da
                                         const electrochemistry::IonSolution& start,
                                         const electrochemistry::IonSolution& end,
                                         const std::vector<double>& point) {
-  constexpr double negligible = 1e-5; // of the variance
-  constexpr double lost = 1e-4;       // of the start's signal: below it rounding shows
+  constexpr double negligible = 1e-5; // share of the variance that need not be explained
+  constexpr double lost = 1e-4;       // share of the start's signal below which rounding shows
   const DataAdjustment adjustment = model.adjustment_at(point);
   const double left = left_of(data, predict(data, end, adjustment));
   const double variance =

@@ -10,35 +10,45 @@
 
 namespace ionskin::study {
 
-/// Range from the lowest to the highest frequency, both included.
+/// Range of frequencies of an impedance spectrum, both ends included.
 struct FrequencyRange {
-  double from = 0, to = 0;    ///< [Hz]
-  int points_per_decade = 10; ///< equally spaced in the logarithm; more where that does not fit
+  double from = 0, to = 0; ///< [Hz]
+  /// Points per decade, equally spaced in the logarithm; more where the range is no whole number of
+  /// steps.
+  int points_per_decade = 10;
 };
 
-/// Frequencies of a spectrum and where it is written.
+/// Options of `run_impedance`.
 struct ImpedanceOptions {
   FrequencyRange range;
-  std::filesystem::path folder; ///< of the results
-  bool overwrite = false;
-  std::string command; ///< for the manifest
+  std::filesystem::path folder; ///< output folder
+  bool overwrite = false;       ///< replaces the results of an earlier run
+  std::string command;          ///< command line, recorded in manifest.json
 };
 
-/// A spectrum and its warnings.
+/// Impedance spectrum and warnings of `run_impedance`.
 struct ImpedanceOutcome {
   std::filesystem::path folder;
   std::vector<std::string> warnings;
+  /// Table of `impedance_spectrum`.
   readout::SignalTable spectrum;
 };
 
-/// Throws UserError when the range is empty or not positive.
+/// Frequencies of a range, ascending [Hz].
+/// Throws UserError when the range is empty or not positive, or has too many points.
 std::vector<double> frequencies(const FrequencyRange& range);
 
-/// Impedance between the electrodes at rest: columns frequency, impedance_real and
-/// impedance_imaginary, both times the area of the electrode, magnitude and phase_angle.
+/// Computes the impedance between the electrodes at rest for small signals. Columns: frequency
+/// [Hz]; impedance_real and impedance_imaginary [ohm]; area_impedance_real and
+/// area_impedance_imaginary, the impedance times the area of the electrode [ohm m2]; magnitude
+/// [ohm]; phase_angle [degree].
+/// @param frequencies [Hz]
+/// Throws SolverError when the resistance of the cell comes out not positive.
 readout::SignalTable impedance_spectrum(const Case& input, const std::vector<double>& frequencies);
 
-/// Writes manifest.json, case.toml, impedance.csv and figures/. Throws UserError before any work.
+/// Computes an impedance spectrum and writes manifest.json, case.toml, impedance.csv and figures/
+/// into the output folder.
+/// Throws UserError before any work.
 ImpedanceOutcome run_impedance(const Case& input, const ImpedanceOptions& options);
 
 } // namespace ionskin::study

@@ -55,7 +55,7 @@ std::vector<Audit> audit(const std::vector<readout::Metric>& metrics) {
     if (metric == metrics.end()) {
       continue;
     }
-    // Comparisons with NaN are false.
+    // Comparisons with NaN are false, so that NaN fails.
     const Verdict verdict = metric->value <= rule.warn   ? Verdict::passed
                             : metric->value <= rule.fail ? Verdict::warned
                                                          : Verdict::failed;

@@ -6,8 +6,9 @@
 
 namespace ionskin::study {
 
-/// Error that rounding may leave in a charge of the electrodes: 5e-11 of the largest charge that
-/// the history can move [C].
+/// Estimate of the rounding error in a charge of the electrodes [C]: 5e-11 of the largest charge
+/// that the strain history can move.
+/// @param history strain history that drives the ions
 double charge_rounding(const Case& input, const history::CoreHistory& history);
 
 } // namespace ionskin::study

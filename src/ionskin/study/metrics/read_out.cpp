@@ -34,8 +34,8 @@ namespace {
 
 using electrochemistry::IonSolution;
 
-/// Stuck and touched area are linear between the samples, their ratio is not: it has a jump where
-/// the slider lands.
+/// Adds share and state of stick. Sticking and contact area are interpolated between the samples;
+/// their ratio is not linear, and jumps where the slider lands.
 template <class AtRows>
 void add_stick(const SliderRecord& record, const AtRows& at_rows, readout::SliderInputs& inputs) {
   std::vector<double> stuck = record.stick_share;
@@ -50,7 +50,7 @@ void add_stick(const SliderRecord& record, const AtRows& at_rows, readout::Slide
   }
 }
 
-/// Forces of a slider at the rows' instants.
+/// Adds the forces of a slider at the instants of the rows.
 template <class AtRows>
 void add_forces(const SliderRecord& record, const AtRows& at_rows, readout::SliderInputs& inputs) {
   inputs.slider_z = at_rows(record.slider_z);
@@ -66,7 +66,7 @@ void add_forces(const SliderRecord& record, const AtRows& at_rows, readout::Slid
   add_stick(record, at_rows, inputs);
 }
 
-/// Motion and forces of the sliders beside the first.
+/// Adds motion and forces of the sliders after the first.
 template <class AtRows>
 void add_further_sliders(const Case& input, const MechanicsRecord& mechanics, const AtRows& at_rows,
                          readout::SignalInputs& inputs) {
@@ -80,7 +80,7 @@ void add_further_sliders(const Case& input, const MechanicsRecord& mechanics, co
   }
 }
 
-/// Motion, forces and shear at the rows' instants; charges are left to the caller.
+/// Motion, forces and shear at the instants of the rows; the caller adds the charges.
 readout::SignalInputs mechanical_inputs(const Case& input, const MechanicsRecord& mechanics,
                                         const std::vector<double>& time, int threads) {
   readout::SignalInputs inputs;
@@ -98,7 +98,7 @@ readout::SignalInputs mechanical_inputs(const Case& input, const MechanicsRecord
     add_forces(mechanics, at_rows, inputs);
     add_further_sliders(input, mechanics, at_rows, inputs);
     if (!mechanics.drive_force_x.empty()) {
-      // The path of the motion is that of the drive's end; the slider goes its own way.
+      // The motion of the case moves the end of the drive; the slider follows as it was solved.
       inputs.drive_x = std::move(inputs.slider_x);
       inputs.drive_y = std::move(inputs.slider_y);
       inputs.slider_x = at_rows(mechanics.history.slider_x);
@@ -133,7 +133,7 @@ std::optional<readout::NamedInstants> named_instants(const Case& input,
                                 readout::middle_of_slide(input.motion, input.slider)};
 }
 
-/// Figures of the sliders beside the first, with their suffixes.
+/// Adds the metrics of the sliders after the first, with their suffixes.
 void add_further_metrics(const Case& input, const MechanicsRecord& mechanics,
                          const readout::SignalTable& signals,
                          std::vector<readout::Metric>& metrics) {
@@ -156,7 +156,7 @@ void add_further_metrics(const Case& input, const MechanicsRecord& mechanics,
   }
 }
 
-/// Largest over all sliders.
+/// Largest value of a residual over all sliders.
 double worst_of_sliders(const MechanicsRecord& mechanics, double SliderRecord::*residual) {
   double worst = mechanics.*residual;
   for (const SliderRecord& further : mechanics.further_sliders) {
@@ -189,7 +189,8 @@ void add_slide_metrics(const Case& input, const MechanicsRecord& mechanics,
   metrics.push_back({"complementarity_residual",
                      worst_of_sliders(mechanics, &SliderRecord::worst_complementarity_residual),
                      "1"});
-  // Strain is not interpolated between places of the slider; scripts still find the name.
+  // Always 0, as strain is not interpolated between positions of the slider; scripts still expect
+  // the name.
   metrics.push_back({"interpolation_error", 0.0, "1"});
   add_further_metrics(input, mechanics, signals, metrics);
 }
@@ -204,9 +205,9 @@ void add_tail_metric(const Case& input, const MechanicsRecord& mechanics, Signal
        readout::tail_rms(signals.sampled.column("current_difference").values, tail), "A"});
 }
 
-/// Gauss' law against the integral of the channel that drives the ions as the strain folder takes
-/// it: what that is under another law that makes net charge is not known here, and such a run has
-/// no figure of it.
+/// Metric of the violation of Gauss' law: charge of both electrodes against the integral of the
+/// channel that drives the ions. Empty under a law whose net charge is not linear in this channel,
+/// as the expected charge is not known then.
 std::optional<readout::Metric> charge_identity(const Case& input, const MechanicsRecord& mechanics,
                                                const IonSolution& ions, int threads) {
   const laws::CouplingTraits traits = laws::coupling_law(input.coupling.law).traits;
@@ -238,7 +239,7 @@ void add_ion_metrics(const Case& input, const IonSolution& ions,
   const double shear = readout::peak_magnitude(signals.column("p99_shear").values);
   const auto scales =
       electrochemistry::derive_scales(input.electrochemistry, input.skin.core_thickness());
-  // A law that moves water has no k, and a 0 would say that it is linear.
+  // A law that moves water has no coefficient k, and a value of 0 would say that it is linear.
   if (!moves_water(input)) {
     metrics.push_back({"nonlinearity",
                        electrochemistry::nonlinearity(scales, input.coupling.coefficient, shear),
@@ -253,7 +254,8 @@ void add_ion_metrics(const Case& input, const IonSolution& ions,
   metrics.push_back({"max_potential", readout::peak_magnitude(ions.max_potential), "V"});
 }
 
-/// Adds what an instrument shows of the charge that its circuit has passed.
+/// Adds the reading of an instrument of the charge that its circuit has passed.
+/// @param kind "Taxel" or "Line", for warnings
 void add_reading_of(const circuits::Circuit& circuit, const std::string& kind,
                     const IonSolution& ions, const electrochemistry::SegmentCharge& segment,
                     Signals& signals) {
@@ -264,7 +266,7 @@ void add_reading_of(const circuits::Circuit& circuit, const std::string& kind,
   }
 }
 
-/// Adds the readings of the instruments of the taxels, or of the lines of a crossbar.
+/// Adds the readings of the instruments of all taxels, or of all lines of a crossbar.
 void add_readings(const Readout& readout, const IonSolution& ions, Signals& signals) {
   const std::vector<Taxel> lines = readout.lines();
   for (std::size_t e = 0; e < lines.size(); ++e) {
@@ -285,7 +287,8 @@ void add_readings(const Readout& readout, const IonSolution& ions, Signals& sign
   }
 }
 
-/// The largest voltage of a taxel, and how much of a signal the next one shows.
+/// Adds the readings of taxels with circuits of their own, their largest voltage, and the crosstalk
+/// between them.
 void add_circuits_of_taxels(const Readout& readout, const IonSolution& ions, Signals& signals) {
   if (!readout.is_cut()) {
     return;
@@ -313,7 +316,7 @@ void add_taxels(const IonSolution& ions, bool moves_water, Signals& signals) {
     lines.push_back({line.name, {}, {}, line.voltage, line.passed});
   }
   signals.taxels = readout::taxel_signals(ions.time, charges, lines);
-  // Nothing to balance where no charge passes: the electrode's own is rounding then.
+  // Where no charge passes, there is nothing to balance: the electrode's charge is rounding then.
   if (readout::carry_current(*signals.taxels)) {
     signals.metrics.push_back({"taxel_balance_error",
                                readout::taxel_balance_error(
@@ -322,7 +325,8 @@ void add_taxels(const IonSolution& ions, bool moves_water, Signals& signals) {
   }
 }
 
-/// Charge at the end of the run and of the first slide, and what the water does.
+/// Adds the signals and metrics of the water, and the charges at the end of the run and of the
+/// first slide.
 void add_water(const Case& input, const circuits::Circuit& circuit,
                const MechanicsRecord& mechanics, const IonSolution& ions, Signals& signals) {
   signals.water = readout::water_signals(
@@ -380,8 +384,8 @@ double value_of(const std::vector<readout::Metric>& metrics, const std::string& 
   return found == metrics.end() ? 0.0 : found->value;
 }
 
-/// The taxels that are conductors of their own, or the lines of a crossbar, each with its circuit
-/// and all its parameters.
+/// Taxels that are conductors of their own, or lines of a crossbar, each with its circuit and all
+/// parameters.
 std::vector<Taxel> conductors_of(const Readout& readout) {
   std::vector<Taxel> conductors = readout.lines();
   for (Taxel& line : conductors) {
@@ -397,8 +401,8 @@ std::vector<Taxel> conductors_of(const Readout& readout) {
   return conductors;
 }
 
-/// Adds the noise of a sample of the taxel with a circuit of its own, or of the line of a crossbar,
-/// that has the largest signal: a voltage where any has one.
+/// Adds the noise of a reading of the taxel, or the line of a crossbar, with the largest signal.
+/// Voltages take precedence over currents.
 void add_noise_of_taxel(const Case& input, const MechanicsRecord& mechanics,
                         const IonSolution& ions, Signals& signals) {
   Taxel strongest;
@@ -412,7 +416,7 @@ void add_noise_of_taxel(const Case& input, const MechanicsRecord& mechanics,
       strongest = conductor, of_voltage = has_voltage, peak = largest;
     }
   }
-  Case taxel = input; // the cell below it
+  Case taxel = input; // the cell below the taxel
   taxel.skin.length = strongest.upper[0] - strongest.lower[0];
   taxel.skin.width = strongest.upper[1] - strongest.lower[1];
   taxel.readout.circuit = strongest.circuit;
@@ -424,7 +428,7 @@ void add_noise_of_taxel(const Case& input, const MechanicsRecord& mechanics,
   }
 }
 
-/// Adds the noise of a sample, and what it leaves to be seen before full slip.
+/// Adds the noise of a reading, and the metrics of slip precursors that stand out from it.
 void add_noise(const Case& input, const MechanicsRecord& mechanics, const IonSolution& ions,
                Signals& signals) {
   const circuits::Circuit circuit =

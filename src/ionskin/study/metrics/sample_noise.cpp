@@ -17,7 +17,7 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// Bandwidth of an instrument that averages over its interval, over its rate.
+/// Bandwidth of an averaging instrument without a bandwidth of its own, over its sampling rate [1].
 constexpr double bandwidth_over_rate = 10;
 
 Complex admittance(const circuits::Admittance& beside, double frequency) {
@@ -42,8 +42,9 @@ SampleNoise sample_noise(const Case& input, double peak, double record) {
       circuit.input_noise ? circuit.input_noise->current : instrument.current_noise;
   const electrochemistry::SmallSignalCell cell(input);
   const double area = input.skin.length * input.skin.width;
-  // The transfer turns the amplifier's other noise into what is read, and by its real part the
-  // thermal one: the admittance of the cell, or the impedance with all that is beside it.
+  // Transfer from one of voltage and current to the other, which is read: the admittance of the
+  // cell, or the impedance of the cell and all that is beside it. Its real part gives the thermal
+  // noise, its magnitude turns the amplifier's other noise into the one that is read.
   const auto transfer = [&](double frequency) {
     const Complex own = area / cell.area_impedance(frequency);
     return circuit.admittance ? 1.0 / (own + admittance(*circuit.admittance, frequency)) : own;

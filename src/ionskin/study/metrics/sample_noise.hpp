@@ -9,24 +9,29 @@
 
 namespace ionskin::study {
 
-/// Rms noise of the mean over `readout.sample_interval`, docs/model.md (61): of the current between
-/// electrodes at one potential [A], else of the voltage [V].
+/// Root mean square noise of one reading, which is the mean over `readout.sample_interval`: of the
+/// current between electrodes at one potential [A], otherwise of the voltage [V];
+/// docs/model.md (61). Made by `sample_noise`.
 struct SampleNoise {
-  double thermal = 0; ///< of the cell, and of the resistor beside it
-  double amplifier =
-      0; ///< noise of the amplifier's own voltage and current at the cell's impedance
-  double quantisation = 0; ///< of the converter
+  double thermal = 0; ///< thermal noise of the cell, and of the resistor beside it
+  /// Noise of the amplifier, from its voltage and current noise at the impedance of the cell.
+  double amplifier = 0;
+  double quantisation = 0; ///< rounding of the analogue-to-digital converter
 
+  /// Root of the sum of squares of all three.
   double total() const;
 };
 
-/// Noise of one reading of the instrument of a case, by its sources.
-/// @param peak of the sampled signal [A] or [V]; 0 for a converter in any range
+/// Noise of one reading of the instrument of a case, by source.
+/// @param peak of the sampled signal [A] or [V], from which the range of the converter follows; 0
+/// for a converter in any range
 /// @param record length of the run [s]
 SampleNoise sample_noise(const Case& input, double peak, double record);
 
-/// The parts of it, the whole, and the peak over the whole.
-/// @param unit of the peak: A or V
+/// Metrics of the noise: its parts, its total, and the signal-to-noise ratio, the peak over the
+/// total.
+/// @param peak of the sampled signal [unit]
+/// @param unit of peak and noise: "A" or "V"
 std::vector<readout::Metric> noise_metrics(const SampleNoise& noise, double peak,
                                            const std::string& unit);
 

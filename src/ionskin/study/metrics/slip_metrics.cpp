@@ -19,11 +19,11 @@ namespace {
 using readout::Metric;
 using readout::SlipOnset;
 
-/// A current that moves no more than this times the charge that rounding leaves tells nothing: it
-/// would seem to correlate with what it does not know.
+/// Multiple of the rounding error of a charge that a current has to move before its precursor is
+/// evaluated: a smaller one would correlate by chance [1].
 constexpr double far_above_rounding = 100;
 
-/// Way of the slider from one instant of the first cycle to another [m].
+/// Travel of the slider between two instants of the first cycle [m].
 double way_between(const Case& input, double from, double to) {
   double way = 0;
   for (const MotionLeg& leg : motion_legs(input.motion, input.slider)) {
@@ -35,14 +35,14 @@ double way_between(const Case& input, double from, double to) {
   return way;
 }
 
-/// Noise floor from which a current is distinguished.
+/// Noise from which a current has to stand out.
 struct NoiseFloor {
-  double charge = 0;  ///< charge that rounding leaves [C]
-  double reading = 0; ///< rms [A]
+  double charge = 0;  ///< error that rounding leaves in a charge [C]
+  double reading = 0; ///< root mean square noise of a reading [A]
 };
 
-/// Share of the contact that half a row of cells along the border of what sticks takes when the
-/// touchdown ends.
+/// Share of the contact area that half a row of cells along the border of the sticking area takes
+/// at the end of touchdown [1].
 double cell_share(const MechanicsRecord& mechanics) {
   const auto found =
       std::ranges::find(mechanics.cell_errors, "stick_fraction_touchdown", &Metric::name);

@@ -16,10 +16,10 @@
 namespace ionskin::study {
 namespace {
 
-constexpr int missing_library = 3; // as in isolated.py
+constexpr int missing_library = 3; // exit status, as in isolated.py
 
-/// The message behind the last "error: " at the begin of a line, or else the last line; as one
-/// line.
+/// Message after the last "error: " at the start of a line, or else the last line; line breaks are
+/// replaced by spaces.
 std::string last_message(std::string text) {
   constexpr std::string_view mark = "error: ";
   const std::size_t found = text.rfind("\n" + std::string(mark));
@@ -40,7 +40,7 @@ std::string last_message(std::string text) {
   return result;
 }
 
-/// Takes the lines "progress PART" that are whole out of a text.
+/// Removes complete lines "progress FRACTION" from a text and passes their fractions on.
 void take_progress(std::string& text, const PythonProgress& progress) {
   constexpr std::string_view mark = "progress ";
   for (std::size_t begin = 0, end = 0; (end = text.find('\n', begin)) != std::string::npos;) {
@@ -58,7 +58,8 @@ void take_progress(std::string& text, const PythonProgress& progress) {
   }
 }
 
-/// Reads until the other end is closed, keeping the end of what came.
+/// Reads from a pipe until the other end is closed; returns the last 4096 bytes, without progress
+/// lines.
 std::string read_end(int descriptor, const PythonProgress& progress) {
   constexpr std::size_t most = 4096;
   std::string text;

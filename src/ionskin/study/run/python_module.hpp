@@ -7,32 +7,41 @@
 
 namespace ionskin::study {
 
-/// Outcome of a module of the Python package.
+/// Outcome of a run of a Python module, made by `run_python_module`.
 struct PythonOutcome {
-  int exit_code = 0;   ///< negative when the interpreter cannot be started or is killed
-  std::string message; ///< its last one on standard error, where that was captured
+  /// Exit status of the interpreter; negative when it cannot be started or is killed.
+  int exit_code = 0;
+  /// Last message on standard error as one line; empty where standard error was not captured.
+  std::string message;
 
-  /// True if a library that the module imports is not there.
+  /// True if a library that the module imports is not installed.
   bool lacks_library() const;
 };
 
-/// Destination of Python's messages.
+/// Destination of the module's standard error: the terminal (`shown`) or `PythonOutcome::message`
+/// (`captured`).
 enum class PythonErrors { shown, captured };
 
-/// Told the finished part, in [0, 1], when a module says "progress PART" in a line of its own on
-/// standard error.
+/// Receiver of the finished fraction in [0, 1], called when a module writes "progress FRACTION" as
+/// a line of its own to standard error.
 using PythonProgress = std::function<void(double)>;
 
-/// Runs a module of ionskin's Python package with these arguments and waits for it. The interpreter
-/// is in its isolated mode: neither the working folder nor PYTHONPATH and its kin decide what is
-/// imported. The package stands in the folder $IONSKIN_PYTHON_PATH, or where it was built.
-/// @param errors whether standard error goes to the terminal or into the outcome
-/// @param progress heard of errors that are captured
+/// Runs a module of ionskin's Python package and waits for its end. The interpreter runs in its
+/// isolated mode: neither the working folder nor environment variables such as PYTHONPATH decide
+/// what is imported. The package is taken from the folder $IONSKIN_PYTHON_PATH, or from where it
+/// was built.
+/// @param module dotted name, such as "ionskin.report"
+/// @param arguments of its command line
+/// @param errors where standard error goes
+/// @param progress receives progress lines, with captured errors only; may be empty
 PythonOutcome run_python_module(const std::string& module,
                                 const std::vector<std::string>& arguments, PythonErrors errors,
                                 const PythonProgress& progress = {});
 
-/// Replaces this process by a module of the package; returns only where that is not possible.
+/// Replaces this process by a module of ionskin's Python package (exec), started as in
+/// `run_python_module`. Returns only if that fails.
+/// @param module dotted name, such as "ionskin.report"
+/// @param arguments of its command line
 void become_python_module(const std::string& module, const std::vector<std::string>& arguments);
 
 } // namespace ionskin::study

@@ -16,7 +16,10 @@ std::string reason_of(const PythonOutcome& outcome) {
   return outcome.message;
 }
 
-/// @param product, again what the module makes and how to ask for it again, for messages
+/// Runs a Python module that draws something.
+/// @param product name of what the module makes, for messages
+/// @param again instruction that makes it again, for messages
+/// @returns reason of a failure with its remedy; empty on success
 std::optional<std::string> draw(const std::string& module,
                                 const std::vector<std::string>& arguments,
                                 const std::string& product, const std::string& again,

@@ -68,7 +68,8 @@ MechanicsRecord record_of(GivenStrain given) {
   return record;
 }
 
-/// Record of Study 1 that an earlier run left in its folder.
+/// Reads the record of Study 1 that an earlier run left in its folder; empty where there is none.
+/// @param path of its results.h5
 std::optional<MechanicsRecord> left_mechanics(const Case& input, const std::string& hash,
                                               const std::filesystem::path& path,
                                               RunFolder& folder) {
@@ -81,7 +82,8 @@ std::optional<MechanicsRecord> left_mechanics(const Case& input, const std::stri
   return record;
 }
 
-/// For ParaView, while the strains can be recovered.
+/// Writes skin and slider at the instants of `output.fields` for ParaView, while the strains of the
+/// contact can still be recovered.
 void write_skins(const Case& input, const std::vector<mechanics::ContactSolution>& contacts,
                  RunFolder& folder) {
   const std::vector<double> instants = field_instants(input);
@@ -98,8 +100,8 @@ void write_skins(const Case& input, const std::vector<mechanics::ContactSolution
   }
 }
 
-/// Case -> ContactSolution -> CoreHistory, or what an earlier run left of it in its
-/// folder.
+/// Case -> ContactSolution -> CoreHistory: solves Study 1, or reads what an earlier run left of it
+/// in its folder.
 MechanicsRecord study_1(const Case& input, const RunOptions& options, double start,
                         RunFolder& folder, base::Timers& timers) {
   const auto results_path = folder.own(results::file_names::results);
@@ -115,7 +117,7 @@ MechanicsRecord study_1(const Case& input, const RunOptions& options, double sta
                     "needs: run without --only, or with "
                     "--only mechanics, first");
   }
-  std::optional<mechanics::ContactSolution> path; // as far as it went
+  std::optional<mechanics::ContactSolution> path; // up to where the contact gave up
   const auto solve = [&] {
     mechanics::ContactOptions contact_options;
     contact_options.threads = options.threads;
@@ -147,8 +149,8 @@ MechanicsRecord study_1(const Case& input, const RunOptions& options, double sta
   });
 }
 
-/// Hash of everything that decides Study 2: another strain, as of mechanics that were solved again,
-/// makes what was computed from the first one worthless.
+/// Hash of everything that decides Study 2. It includes the strain history: results computed from
+/// another history, as of a Study 1 that was solved again, cannot be reused.
 std::string transport_hash(const std::string& input_hash, const history::CoreHistory& history) {
   base::DigestBuilder builder;
   builder.add(std::string_view(input_hash)).add(history.time).add(history.slider_x);
@@ -166,8 +168,8 @@ std::string transport_hash(const std::string& input_hash, const history::CoreHis
   return builder.finish().hex();
 }
 
-/// CoreHistory -> IonSolution, from the beginning or from a checkpoint; the last checkpoint is
-/// the end, and stays until the whole run is finished.
+/// CoreHistory -> IonSolution: solves Study 2 from the start or from a checkpoint. The last
+/// checkpoint is the end of Study 2, and is stored until the whole run is finished.
 IonSolution study_2(const Case& input, const RunOptions& options, RunFolder& folder,
                     const history::CoreHistory& history, base::Timers& timers) {
   const auto checkpoint_path = folder.own(results::file_names::checkpoint);
@@ -189,7 +191,8 @@ IonSolution study_2(const Case& input, const RunOptions& options, RunFolder& fol
   });
 }
 
-/// A run keeps its results where their error cannot be estimated.
+/// Adds the error estimate to the results of a run. If the errors cannot be estimated, the run
+/// keeps its results and warns.
 void add_errors(const Case& input, const MechanicsRecord& mechanics, const RunOptions& options,
                 base::Timers& timers, RunOutputs& outputs) {
   if (!input.numerics.error_estimate) {
@@ -214,13 +217,13 @@ void add_errors(const Case& input, const MechanicsRecord& mechanics, const RunOp
   options.progress("error estimate", 1.0);
 }
 
-/// Nothing is missing of what these studies give, but for the report perhaps.
+/// True if an earlier run has finished these studies, except perhaps for the report.
 bool has_finished(const RunFolder& folder, const RunOptions& options) {
   return options.resume && folder.is_complete() &&
          (options.studies == Studies::mechanics || folder.was_finished("electrochemistry"));
 }
 
-/// Bytes of what the folder holds already, which is taken up or replaced.
+/// Size of the files that the folder holds already, which are reused or replaced [bytes].
 double bytes_in(const std::filesystem::path& folder) {
   double sum = 0;
   std::error_code error;
@@ -232,8 +235,9 @@ double bytes_in(const std::filesystem::path& folder) {
   return sum;
 }
 
-/// On the disk, before any work. Of the points of a sweep it is judged together, but for those
-/// whose strain is given by a file, which tells how long they last.
+/// Checks, before any work, that the results have room on the disk. For the points of a sweep, the
+/// sweep checks all together, except for points with a strain file: only the file tells how long
+/// they last.
 void require_room(const Case& input, const std::optional<GivenStrain>& given,
                   const RunOptions& options) {
   const bool from_file = input.strain.kind == StrainSourceKind::file;
@@ -255,7 +259,7 @@ RunOutcome run_case(const Case& input, const RunOptions& options) {
   }
   require_room(input, given_strain, options);
   if (options.studies != Studies::mechanics) {
-    planning::foreseen(input); // refuses what is bound to fail
+    planning::foreseen(input); // throws UserError if the run is bound to fail
   }
   RunFolder folder(input, options);
   if (has_finished(folder, options)) {

@@ -47,7 +47,8 @@ results::ExistingFolder existing_folder(const RunOptions& options) {
   return takes_up ? results::ExistingFolder::resume : results::ExistingFolder::refuse;
 }
 
-/// Finished by this build, with all results as they were written.
+/// True if a manifest says that this build of the program finished the case with this hash, and all
+/// its result files are unchanged.
 bool is_whole(const results::Manifest& manifest, const std::string& hash,
               const std::filesystem::path& folder) {
   const auto& files = manifest.files;
@@ -61,7 +62,7 @@ bool is_whole(const results::Manifest& manifest, const std::string& hash,
          });
 }
 
-/// Text of all that a slider, its motion and its contact decide of Study 1.
+/// Text of everything about a slider, its motion and its contact that decides Study 1.
 std::string slider_text(const Slider& slider, const Motion& motion, const Contact& contact) {
   std::string text = fmt::format(" slider {} {} {}", slider.shape, slider.size, slider.start);
   text += fmt::format(" pose {} {} {}", slider.pose.roll, slider.pose.pitch, slider.pose.yaw);
@@ -124,7 +125,7 @@ void RunFolder::take_up(const Case& input) {
   try {
     earlier_ = results::read_manifest(manifest_path);
   } catch (const UserError&) {
-    // The text alone tells which case was here where there is no hash.
+    // Without a hash, only the text of the case tells which case was here.
     const auto text_path = file(results::file_names::case_text);
     if (std::filesystem::exists(text_path) &&
         base::read_text_file(text_path.string(), "case") != input.text) {
@@ -171,7 +172,7 @@ bool holds_finished_run(const std::filesystem::path& folder, const std::string& 
     const bool both = ions != manifest.stages.end() && ions->second.state == "finished";
     return (both || studies == Studies::mechanics) && is_whole(manifest, hash, folder);
   } catch (const UserError&) {
-    return false; // damaged: the run itself tells
+    return false; // damaged: the run itself will report it
   }
 }
 
@@ -213,7 +214,7 @@ void RunFolder::give_up(const std::string& stage, const std::string& state, doub
 }
 
 void RunFolder::finish(bool sound) {
-  // Files that Python draws can be drawn again at any time; the checkpoint goes.
+  // No digests of files that Python can draw again, nor of the checkpoint, which is removed.
   namespace names = results::file_names;
   const std::set<std::string> others{names::manifest, names::report, names::checkpoint};
   for (const std::string& name : folder_.owned()) {
@@ -257,7 +258,7 @@ std::string input_hash(const Case& input) {
 }
 
 std::string mechanics_hash(const Case& input) {
-  // The record holds the coarser solutions for the errors; without them it is another one.
+  // With an error estimate the record also holds the coarser solutions, so its hash differs.
   std::string text = input.numerics.error_estimate ? "companions mesh path thickness " : "";
   text += "signals area stick slip moment ";
   text += fmt::format("skin {} {} {}", input.skin.length, input.skin.width,
@@ -271,13 +272,13 @@ std::string mechanics_hash(const Case& input) {
     text += slider_text(further.slider, further.motion, further.contact);
   }
   text += " measure " + input.coupling.measure;
-  // The history then has another grid and more channels.
+  // With water, the strain history has another grid and more channels.
   if (moves_water(input)) {
     text += " water";
   }
   text += fmt::format(" numerics {} {} {}", static_cast<int>(input.numerics.preset),
                       input.numerics.mesh_refinement, input.numerics.time_refinement);
-  // Field instants within the slide are samples of the strain history.
+  // Instants of fields within the slide are samples of the strain history.
   text += fmt::format(" fields {}", fmt::join(input.output.fields, " "));
   return results::content_hash(text);
 }

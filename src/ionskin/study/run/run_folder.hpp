@@ -14,32 +14,37 @@
 
 namespace ionskin::study {
 
-/// The folder of one run and its manifest, which tells at any time what is finished.
+/// Output folder of one run with its manifest (manifest.json), which records at any time which
+/// stages of the work are finished. `run_case` and the points of a sweep work through it.
 class RunFolder {
 public:
-  /// Makes the folder ready and writes case.toml and the manifest. Throws UserError when the folder
-  /// is taken, cannot be written, or holds another case than the one to resume. What another build
-  /// of the program left there is not taken up.
+  /// Prepares the output folder and writes case.toml and the manifest. Finished stages of an
+  /// earlier run are taken from its manifest only if the same build of the program wrote it.
+  /// @param options folder, treatment of earlier results, threads and command
+  /// Throws UserError when the folder is in use, cannot be written, or, with `resume`, holds
+  /// another case.
   RunFolder(const Case& input, const RunOptions& options);
 
-  /// Path where a file is read.
+  /// Path from which a file of the run is read.
   std::filesystem::path file(const char* name) const { return folder_.file(name); }
-  /// Path where a file is written.
+  /// Path to which a file of the run is written; registers the file as one of the program's.
   std::filesystem::path own(const char* name) { return folder_.own(name); }
   results::OutputFolder& output() { return folder_; }
   const std::filesystem::path& path() const { return folder_.path(); }
-  /// True when an earlier run of the same case finished this stage.
+  /// True if an earlier run of the same case finished this stage.
   bool was_finished(const std::string& stage) const;
-  /// True when a sealed file that an earlier run left is whole; a damaged one leaves a note.
+  /// True if a sealed file (one that ends with a digest of its bytes and of the program's build) is
+  /// there and intact. Adds a note for the user if the file is damaged.
   bool holds(const char* name);
-  /// True when an earlier run finished and all its results are there, as they were written.
+  /// True if an earlier run finished completely and its result files are unchanged.
   bool is_complete() const { return complete_; }
-  /// Notes what went wrong with what was there, as sentences.
+  /// Adds a note for the user, a sentence on a problem with files that were found in the folder.
   void note(const std::string& text);
   const std::vector<std::string>& notes() const { return notes_; }
 
-  /// Runs a part of the work as a named stage: its wall time and peak memory go into the manifest,
-  /// and its state, whatever way it ends.
+  /// Runs a part of the work as a named stage. Records the stage's state, wall time and peak memory
+  /// in the manifest, also when the work throws, and returns the result of `work()`.
+  /// Throws what `work` throws.
   template <class Work> auto stage(const std::string& name, Work&& work) {
     const double start = base::wall_time();
     begin(name);
@@ -61,25 +66,29 @@ public:
     }
   }
 
-  /// Notes a stage that was worked elsewhere, and what it is taken from, if it is read from there.
+  /// Records a stage as finished that was worked elsewhere.
+  /// @param seconds wall time of the stage [s]
+  /// @param source origin of its results, such as "another point"; empty if they were not copied
   void add_finished(const std::string& stage, double seconds, const std::string& source = "");
-  /// Notes a stage that an earlier run finished, with its time if the manifest knows it.
+  /// Records a stage as finished by an earlier run, with its wall time if the earlier manifest has
+  /// it.
   void keep_finished(const std::string& stage);
+  /// Sets a named number in the manifest; written with the next change of state.
   void set_counter(const std::string& name, double value) { manifest_.counters[name] = value; }
-  /// Marks the whole run as finished, with the digests of its results, or as failed where its
-  /// results do not pass their audits.
+  /// Marks the whole run as finished and records the digests of its result files.
+  /// @param sound false if the results fail an audit: marks the run as failed instead
   void finish(bool sound = true);
-  /// Marks the run as failed, for a reason.
+  /// Marks the whole run as failed, for a reason given as a sentence.
   void fail(const std::string& reason);
-  /// Notes how far the whole run is: "planned" or "interrupted".
+  /// Sets the state of the whole run: "planned" or "interrupted".
   void set_state(const std::string& state);
   const results::Manifest& manifest() const { return manifest_; }
 
 private:
   void begin(const std::string& stage);
   void end(const std::string& stage, const std::string& state, double seconds);
-  /// Gives up as `end` does; the reason to give up matters more than a manifest that cannot be
-  /// written.
+  /// Records the end of a stage as `end` does, but ignores a manifest that cannot be written: the
+  /// error that ended the stage matters more.
   void give_up(const std::string& stage, const std::string& state, double seconds);
   void take_up(const Case& input);
   bool has_all_results() const;
@@ -92,18 +101,21 @@ private:
   results::Manifest earlier_;
 };
 
-/// True if a folder holds a finished run of this case by this build, with all its results as they
-/// were written. Takes no lock.
-/// @param hash of the case, see `input_hash`
+/// True if a folder holds a finished run of a case by this build of the program, with all result
+/// files unchanged. Takes no lock.
+/// @param hash `input_hash` of the case
+/// @param studies `mechanics`: a run of Study 1 is enough
 bool holds_finished_run(const std::filesystem::path& folder, const std::string& hash,
                         Studies studies);
 
-/// Hash of a case: of its text, of its values with those of material presets and defaults, and of
-/// the waypoints, heights and strain that it takes from files. Throws UserError when the strain
-/// file cannot be read.
+/// Hash of everything that decides the results of a case: its text, its values including those of
+/// material presets and defaults, and the contents of waypoint, height map and strain files that it
+/// names.
+/// Throws UserError when the strain file cannot be read.
 std::string input_hash(const Case& input);
 
-/// Hash of everything that decides Study 1.
+/// Hash of everything that decides the results of Study 1. Cases that differ only in what Study 1
+/// does not see, such as the diffusivity of the ions, have the same one.
 std::string mechanics_hash(const Case& input);
 
 } // namespace ionskin::study

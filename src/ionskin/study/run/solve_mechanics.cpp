@@ -29,18 +29,21 @@ mechanics::PathSteps halved(mechanics::PathSteps steps) {
   steps.touchdown = std::max(1, steps.touchdown / 2);
   steps.lift_off = std::max(1, steps.lift_off / 2);
   steps.onset = std::max(1, steps.onset / 2);
-  steps.onset_growth *= steps.onset_growth; // as far with half as many
+  steps.onset_growth *= steps.onset_growth; // the same distance with half as many steps
   return steps;
 }
 
-/// One pass over a coarser mesh: solutions for each friction coefficient, recorded at once. What
-/// their solutions hold of the skin, responses or factors, is gone when it ends: the next pass
-/// needs as much memory.
-/// @param first,share of the progress on coarser meshes
+/// Solves the named coarser solutions on one mesh for each friction coefficient, and records them
+/// at once. The skin's compliance that their solutions hold is released at the end, as the next
+/// pass needs as much memory.
+/// @param names coarser solutions that share this mesh
+/// @param first,share part of the progress on coarser meshes that this pass takes, from `first` to
+/// `first + share`
+/// @param result receives the records, one entry per friction coefficient
 void add_pass(const Case& input, const std::vector<std::string>& names,
               const std::vector<double>& frictions, const mechanics::ContactOptions& options,
               double first, double share, std::vector<CoarserSolutions>& result) {
-  constexpr double solved = 0.9; // of the pass
+  constexpr double solved = 0.9; // share of the pass that solving takes; recording takes the rest
   std::vector<mechanics::ContactVariant> variants;
   for (const double friction : frictions) {
     for (const std::string& name : names) {
@@ -50,12 +53,12 @@ void add_pass(const Case& input, const std::vector<std::string>& names,
     }
   }
   mechanics::ContactOptions own = options;
-  own.unfinished = nullptr; // what a coarser mesh left is nobody's result
+  own.unfinished = nullptr; // an unfinished coarser solution is no result
   own.progress = [&](std::string_view activity, double fraction) {
     activity == "mechanics" ? options.progress(coarser_activity, first + solved * share * fraction)
                             : options.progress(activity, fraction);
   };
-  base::Timers parts; // of the coarser solutions, which count as one stage
+  base::Timers parts; // not reported: the coarser solutions count as one stage
   auto solutions = mechanics::solve_variants(mechanics::coarser_case(input, names.front()),
                                              variants, own, parts);
   const auto recording =
@@ -77,7 +80,7 @@ void add_pass(const Case& input, const std::vector<std::string>& names,
   }
 }
 
-/// One entry per friction coefficient.
+/// Solves all coarser solutions; one entry per friction coefficient.
 std::vector<CoarserSolutions> solve_coarser(const Case& input, const std::vector<double>& frictions,
                                             const mechanics::ContactOptions& options) {
   namespace names = mechanics::coarser_solutions;
@@ -90,7 +93,8 @@ std::vector<CoarserSolutions> solve_coarser(const Case& input, const std::vector
   return result;
 }
 
-/// A run keeps its results where their error cannot be estimated; then `problem` says why.
+/// Solves all coarser solutions; empty, with the reason in `problem`, if that fails. A run then
+/// keeps its results without an error estimate.
 std::vector<CoarserSolutions> try_coarser(const Case& input, const std::vector<double>& frictions,
                                           const mechanics::ContactOptions& options,
                                           std::string& problem) {
@@ -104,8 +108,10 @@ std::vector<CoarserSolutions> try_coarser(const Case& input, const std::vector<d
   return {};
 }
 
-/// The coarser solutions and, beside them, the solutions themselves, whose progress is reported
-/// once the coarser ones are there.
+/// Solves the coarser solutions and, beside them on other threads, the solutions of the run.
+/// Progress of the run's solutions is reported only after the coarser ones are finished.
+/// @param solutions receives the solutions of the run
+/// @returns the coarser solutions
 std::vector<CoarserSolutions> solve_beside(const Case& input, const std::vector<double>& frictions,
                                            const mechanics::ContactOptions& options,
                                            base::Timers& timers, std::string& problem,
@@ -139,7 +145,7 @@ std::vector<CoarserSolutions> solve_beside(const Case& input, const std::vector<
       return;
     }
     solutions = mechanics::solve_contact(input, frictions, own, timers);
-    for (int i = 1; i < own.threads; ++i) { // the thread itself is given when it ends
+    for (int i = 1; i < own.threads; ++i) { // the calling thread is given when the task ends
       coarse.spare->give();
     }
   };
@@ -152,7 +158,7 @@ std::string not_estimated(const std::string& problem) {
          ".";
 }
 
-/// Names of the coarser solutions of a case.
+/// Names of the coarser solutions of a case, see mechanics/coarser_solutions.hpp.
 std::vector<std::string> coarser_names(const Case& input) {
   namespace names = mechanics::coarser_solutions;
   std::vector<std::string> result{names::mesh, names::path};
@@ -162,7 +168,7 @@ std::vector<std::string> coarser_names(const Case& input) {
   return result;
 }
 
-/// Record of a coarser solution of several sliders.
+/// Solves one coarser solution of several sliders and returns its record.
 std::shared_ptr<const MechanicsRecord> solve_coarser_sliders(const Case& input,
                                                              const std::string& name,
                                                              mechanics::ContactOptions options) {
@@ -181,9 +187,9 @@ std::shared_ptr<const MechanicsRecord> solve_coarser_sliders(const Case& input,
   return std::make_shared<const MechanicsRecord>(std::move(record));
 }
 
-/// Coarser solutions of several sliders.
-/// @param own null, or what is solved beside them
-/// @param problem where they have no solution, why
+/// Solves the coarser solutions of several sliders.
+/// @param own task to run beside them, such as the run's own solution; empty for none
+/// @param problem receives the reason where they have no solution
 CoarserSolutions solve_coarser_sliders(const Case& input, const mechanics::ContactOptions& options,
                                        const std::function<void()>& own, std::string& problem) {
   const std::vector<std::string> names =
@@ -191,7 +197,7 @@ CoarserSolutions solve_coarser_sliders(const Case& input, const mechanics::Conta
   std::vector<std::shared_ptr<const MechanicsRecord>> records(names.size());
   mechanics::ContactOptions beside = options;
   beside.progress = base::no_progress;
-  beside.unfinished = nullptr; // what a coarser mesh left is nobody's result
+  beside.unfinished = nullptr; // an unfinished coarser solution is no result
   std::mutex failing;
   const auto fail = [&](const char* why) {
     const std::lock_guard lock(failing);
@@ -219,7 +225,7 @@ CoarserSolutions solve_coarser_sliders(const Case& input, const mechanics::Conta
   return result;
 }
 
-/// Several sliders on one skin, and their coarser solutions beside them.
+/// Solves several sliders on one skin, and their coarser solutions beside them.
 SolvedMechanics solve_together(const Case& input, const mechanics::ContactOptions& options,
                                base::Timers& timers) {
   SolvedMechanics solved;
@@ -255,7 +261,7 @@ std::vector<SolvedMechanics> solve_mechanics(const Case& input,
     both.footprint =
         mechanics::find_footprint(input, frictions.front(), options.threads, options.progress)
             .footprint;
-    if (!input.slider.sharp()) { // of which the mesh was a guess before
+    if (!input.slider.sharp()) { // its mesh was only a guess before
       planning::require_resources(input, options.threads, both.footprint);
     }
   }

@@ -25,11 +25,11 @@ void write(const Case& input, RunOutputs& outputs, double start, RunFolder& fold
   outputs.errors = no_estimate(outputs.signals, "the run is unfinished");
   try {
     write_unfinished(input, outputs, start, folder);
-  } catch (const base::UnwritableFile&) { // why the solver gave up matters more
+  } catch (const base::UnwritableFile&) { // the error of the solver matters more
   }
 }
 
-/// Signals of one cycle, up to where the path ends.
+/// Signals of the first cycle, up to the end of the path that was solved.
 Signals signals_of(const Case& input, const RunOptions& options,
                    const mechanics::ContactSolution& path) {
   Case once = input;
@@ -52,7 +52,7 @@ void keep_unfinished_contact(const Case& input, const RunOptions& options,
       kept = fmt::format("its signals end at {:.6g} s, where the contact gave up, and it has no "
                          "figures",
                          path->stepped.back().time);
-    } catch (const SolverError&) { // a strain that is not a number
+    } catch (const SolverError&) { // the strain is not a number
       kept = "the contact gave up, and its strain is not a number";
     }
   }

@@ -12,17 +12,22 @@
 
 namespace ionskin::study {
 
-/// Leaves what a contact was solved for before its solver gave up: signals until then, no figures,
-/// and in summary.json why and the remedy.
-/// @param path as far as it went; empty where not even the first step was solved
+/// Writes the results of a run whose contact solver gave up: signals up to that instant, no
+/// metrics, and the reason with its remedy in summary.json.
+/// @param path contact states up to that instant; empty where not even the first load step was
+/// solved
+/// @param error that ended the solver
 /// @param start of the run on the clock of `base::wall_time` [s]
 void keep_unfinished_contact(const Case& input, const RunOptions& options,
                              const std::optional<mechanics::ContactSolution>& path,
                              const SolverError& error, double start, RunFolder& folder);
 
-/// Leaves the results of a run whose ion transport gave up: its signals as far as they go, and the
-/// figures of Study 1, which is finished.
-/// @param ions until then; null where there is nothing of them
+/// Writes the results of a run whose ion transport solver gave up: signals of both studies up to
+/// that instant, the metrics of the finished Study 1, and the reason with its remedy in
+/// summary.json.
+/// @param ions solution up to that instant; null where there is none
+/// @param error that ended the solver
+/// @param start of the run on the clock of `base::wall_time` [s]
 void keep_unfinished_ions(const Case& input, const RunOptions& options,
                           const MechanicsRecord& mechanics,
                           const electrochemistry::IonSolution* ions, const SolverError& error,

@@ -19,13 +19,13 @@
 namespace ionskin::study {
 namespace {
 
-// Limits above which the reader must be warned.
-constexpr double linear_limit = 0.3;    // k gamma h / (2 lambda)
-constexpr double depletion_limit = 0.1; // min c / c0
-constexpr double large_error = 0.2;     // stated, of a number that is read
-constexpr std::size_t most_named = 3;   // of them in the warning, the largest
-constexpr double pressure_limit = 1e6;  // [Pa]; a fingertip presses with some 10 kPa
-constexpr double cut_limit = 0.01;      // of a taxel, beside the border of a column
+// Limits above which the reader of the results is warned.
+constexpr double linear_limit = 0.3;    // on k gamma h / (2 lambda) [1]
+constexpr double depletion_limit = 0.1; // on the smallest c / c0 [1], which warns below it
+constexpr double large_error = 0.2;     // on the reported relative error of a quantity that is read
+constexpr std::size_t most_named = 3;   // number of quantities that a warning names, largest first
+constexpr double pressure_limit = 1e6;  // on the mean pressure [Pa]; a fingertip has some 10 kPa
+constexpr double cut_limit = 0.01; // on the distance of a taxel's edge from a column's, relative
 
 void warn_about_common_current(const Case& input, const readout::SignalTable& signals,
                                std::vector<std::string>& warnings) {
@@ -76,7 +76,8 @@ void warn_about_water(const Case& input, const electrochemistry::IonSolution& io
   }
 }
 
-/// A column of the transport grid that an edge of a taxel cuts shares its charge by area.
+/// Warns where an edge of a taxel cuts a column of the transport grid, whose charge is then divided
+/// by area.
 void warn_about_cut_columns(const std::vector<Taxel>& taxels,
                             const electrochemistry::TransportGrid& grid,
                             std::vector<std::string>& warnings) {
@@ -108,15 +109,15 @@ void warn_about_cut_columns(const std::vector<Taxel>& taxels,
   }
 }
 
-// Readings of a scale and of an instrument between the electrodes. The errors of all other numbers
-// stand beside them, in the page and in `ionskin compare`.
+// Metrics whose large errors are warned of: readings of a scale and of an instrument between the
+// electrodes. Errors of other metrics are shown in the report and by `ionskin compare` only.
 constexpr std::array always_read{
     "normal_force_slide",        "tangential_force_slide", "mean_shear_slide",
     "peak_mean_shear",           "peak_voltage",           "rms_voltage",
     "peak_open_circuit_voltage", "peak_taxel_voltage",     "peak_sampled_taxel_current",
     "peak_amplifier_current"};
-// A warning is left out, too, while the circuit keeps the electrodes at one potential; else little
-// current flows.
+// Metrics whose large errors are warned of only if the circuit keeps the electrodes at one
+// potential; otherwise little current flows.
 constexpr std::array read_as_current{"peak_sampled_current_difference", "rms_current_difference",
                                      "tail_current_difference"};
 
@@ -164,7 +165,8 @@ void warn_about_missing_errors(const ErrorEstimate& errors, std::vector<std::str
   }
 }
 
-/// Where k of the case makes the response nonlinear, or empties a column of cations.
+/// Warns where the coupling coefficient k makes the response nonlinear, or depletes the cations at
+/// an electrode.
 void warn_about_strong_coupling(const Case& input, const electrochemistry::IonSolution& ions,
                                 const readout::SignalTable& signals,
                                 std::vector<std::string>& warnings) {

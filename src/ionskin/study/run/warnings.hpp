@@ -12,16 +12,18 @@
 
 namespace ionskin::study {
 
-/// Warnings that a reader of the results must know: sentences, each with its number.
+/// Warnings for the reader of the results of both studies, one sentence each, with the number that
+/// gives rise to it.
+/// @param signals resolved table of the run, one row per time step
 std::vector<std::string> collect_warnings(const Case& input, const MechanicsRecord& mechanics,
                                           const electrochemistry::IonSolution& ions,
                                           const readout::SignalTable& signals);
 
-/// The part of them that Study 1 alone allows.
+/// Warnings that follow from Study 1 without the ion transport, one sentence each.
 std::vector<std::string> mechanics_warnings(const Case& input, const MechanicsRecord& mechanics);
 
-/// Sentences where the stated error of what an instrument reads is large, or an error is missing
-/// for another reason than rounding.
+/// Warnings where the reported error estimate of a quantity that an instrument reads is large, or
+/// where an estimate is missing because it is not a number; one sentence each.
 std::vector<std::string> error_warnings(const Case& input, const ErrorEstimate& errors);
 
 } // namespace ionskin::study

@@ -18,7 +18,7 @@ namespace {
 
 namespace names = results::file_names;
 
-/// A table that only some readouts have; an earlier run's is removed.
+/// Writes a table that only some readouts have, and removes that of an earlier run.
 void write_optional(results::ResultsFile& file, const std::string& group,
                     const std::optional<readout::SignalTable>& table) {
   file.file().remove("/" + group);
@@ -35,7 +35,7 @@ void write_optional(RunFolder& folder, const char* name,
   }
 }
 
-/// Nothing for a table without rows, which a run without estimates has.
+/// The table, or nothing where it has no columns, as in a run without an error estimate.
 std::optional<readout::SignalTable> present(const readout::SignalTable& table) {
   return table.columns.empty() ? std::nullopt : std::optional(table);
 }
@@ -91,7 +91,8 @@ void set_counters(const MechanicsRecord& mechanics, const RunOutputs& outputs, R
   }
 }
 
-/// Wall time per stage, from the manifest: a resumed run counts what the interrupted one took [s].
+/// Wall time per stage [s], from the manifest, so that a resumed run counts the time of the
+/// interrupted one.
 std::map<std::string, double> timing(const RunFolder& folder, double start) {
   std::map<std::string, double> result;
   for (const char* stage : {"mechanics", "strain", "electrochemistry", "output"}) {
@@ -130,7 +131,8 @@ results::Summary summary_of(const Case& input, const RunOutputs& outputs) {
   return summary;
 }
 
-/// Writes the fields that Study 2 kept, and the file that opens them with what Study 1 left.
+/// Writes the ion fields that Study 2 stored, and the ParaView file that opens them together with
+/// the files of Study 1.
 void write_paraview(const Case& input, const RunOutputs& outputs, RunFolder& folder) {
   if (outputs.ions) {
     results::write_fields(folder.output(), outputs.ions->grid, input.skin.core_bottom(),
@@ -213,7 +215,7 @@ RunOutcome write_outputs(const Case& input, const RunOptions& options,
       write_paraview(input, outputs, folder);
     }
     write_results_file(input, mechanics, outputs, folder);
-    // The report reads the summary; its own time is added below.
+    // The report reads the summary, so it is written first; the report's own time is added below.
     write_summary();
     options.progress(writing, 0.5);
     auto problem = draw_report(options, folder);

@@ -15,27 +15,33 @@
 
 namespace ionskin::study {
 
-/// Everything a run has computed beside the mechanics.
+/// Results of a run beside the record of its mechanics; input of `write_outputs`.
 struct RunOutputs {
-  std::optional<electrochemistry::IonSolution> ions; ///< empty in runs of the mechanics alone
+  /// Ion transport; empty in runs of the mechanics only.
+  std::optional<electrochemistry::IonSolution> ions;
   Signals signals;
   std::vector<std::string> warnings;
   std::vector<Audit> audits;
   ErrorEstimate errors;
-  std::map<std::string, double> stage_seconds; ///< parts of the stages, for the manifest [s]
+  /// Wall time of parts of the stages, for the manifest [s].
+  std::map<std::string, double> stage_seconds;
 };
 
-/// The outcome of a run that an earlier one has finished; draws the report if it is missing.
+/// Returns the outcome of a run that an earlier process has finished, read from its folder; draws
+/// the report if it is missing.
+/// @param start of this run on the clock of `base::wall_time` [s]
 RunOutcome complete_report(const RunOptions& options, double start, RunFolder& folder);
 
-/// Signals -> Results: writes every file of a run, the report last.
+/// Writes every file of a run from its signals and records, the report last, and marks the run as
+/// finished or, where an audit failed, as failed.
 /// @param start of the run on the clock of `base::wall_time` [s]
 RunOutcome write_outputs(const Case& input, const RunOptions& options,
                          const MechanicsRecord& mechanics, const RunOutputs& outputs, double start,
                          RunFolder& folder);
 
-/// Writes signals and sampled currents, if there are any, and the summary of a run that a solver
-/// gave up; `results.h5` stays as it is, for `--resume`.
+/// Writes the signals and sampled currents, as far as there are any, and summary.json of a run that
+/// a solver gave up. Leaves `results.h5` as it is, for `--resume`.
+/// @param start of the run on the clock of `base::wall_time` [s]
 void write_unfinished(const Case& input, const RunOutputs& outputs, double start,
                       RunFolder& folder);
 

@@ -65,7 +65,8 @@ constexpr std::array counters{
     Counter{"krylov_iterations", &IonSolution::krylov_iterations},
     Counter{"preconditioner_setups", &IonSolution::preconditioner_setups}};
 
-/// A state that no run can have left must not lead the time steps astray.
+/// True if a checkpoint can come from a run: sizes agree, and numbers are finite. Others must not
+/// mislead the time integration.
 bool is_consistent(const IonCheckpoint& checkpoint) {
   const auto finite = [](const std::vector<double>& values) {
     return std::all_of(values.begin(), values.end(),

@@ -9,14 +9,15 @@
 
 namespace ionskin::study {
 
-/// Writes where Study 2 stands, so that a resumed run goes on with the same result bit for bit.
-/// The file is sealed.
-/// @param input_hash of the case and the strain that it belongs to
+/// Writes the state of Study 2 (ion transport) into a sealed file, so that a resumed run goes on
+/// with identical results bit for bit.
+/// @param input_hash of the case and the strain history that the state belongs to
 void write_checkpoint(const std::filesystem::path& path, const std::string& input_hash,
                       const electrochemistry::IonCheckpoint& checkpoint);
 
-/// Reads a checkpoint back; empty when there is none, when it is damaged or of another build, or
-/// when it belongs to another case.
+/// Reads a checkpoint of Study 2. Empty when the file is missing, damaged, of another build of the
+/// program, or of another case.
+/// @param input_hash of the case and the strain history, as given to `write_checkpoint`
 std::optional<electrochemistry::IonCheckpoint> read_checkpoint(const std::filesystem::path& path,
                                                                const std::string& input_hash);
 

@@ -16,7 +16,7 @@
 namespace ionskin::study {
 namespace {
 
-/// All but what it slipped since it touches.
+/// Map of one contact state, without the slip since touchdown.
 results::ContactMap map_of(std::string name, double time, const mechanics::ContactState& state) {
   results::ContactMap map{std::move(name),
                           time,
@@ -34,8 +34,8 @@ results::ContactMap map_of(std::string name, double time, const mechanics::Conta
   return map;
 }
 
-/// Names the states of a path: "touchdown_03", "onset_12", "steady_4", "lift_off_07", and
-/// "2_onset_01" where a kind comes for the second time.
+/// Names the states of a path in order: "touchdown_03", "onset_12", "steady_4", "lift_off_07", and
+/// "2_onset_01" where a kind occurs for the second time.
 class StepNames {
 public:
   StepNames(const std::vector<MotionLeg>& legs, const mechanics::ContactSolution& contact)
@@ -78,7 +78,7 @@ private:
   int count_ = 0;
 };
 
-/// One increment is the whole touchdown of a flat slider.
+/// Drops the number from the name of a touchdown that is one increment, as under a flat slider.
 void name_whole_touchdowns(std::vector<results::ContactMap>& maps) {
   constexpr std::string_view first = "touchdown_01", number = "_01";
   for (std::size_t i = 0; i < maps.size(); ++i) {
@@ -94,7 +94,7 @@ std::vector<results::ContactMap> make_maps(const std::vector<MotionLeg>& legs,
                                            const mechanics::ContactSolution& contact) {
   std::vector<results::ContactMap> maps;
   StepNames names(legs, contact);
-  // A long path passes more instants than anybody looks at: the first all, of the others some.
+  // A long path has more instants than anybody looks at: maps of the first ones, then of some.
   constexpr std::size_t first = 100, others = 100;
   const std::size_t stride = contact.stepped.size() / others + 1;
   for (std::size_t i = 0; i < contact.stepped.size(); i += i < first ? 1 : stride) {

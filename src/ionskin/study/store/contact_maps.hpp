@@ -10,7 +10,9 @@
 
 namespace ionskin::study {
 
-/// Names the states of a cycle that are kept and collects their maps, each state once.
+/// Makes named maps of traction, slip and stick over the contact cells for the stored contact
+/// states of one cycle, each state once; of more than 100 instants, only some of the later ones.
+/// @param legs of the motion, after which the maps are named, such as "touchdown_03"
 results::ContactMaps make_contact_maps(const std::vector<MotionLeg>& legs,
                                        const mechanics::ContactSolution& contact,
                                        const handover::ContactTimeline& timeline);

@@ -25,26 +25,29 @@ namespace ionskin::study {
 
 namespace {
 
-/// True of a cell that MATLAB or numpy leaves where nothing was measured.
+/// True if the text of a cell is NaN, which MATLAB and numpy write where nothing was measured.
 bool is_nan(std::string_view cell) {
   double value = 0;
   const auto [end, status] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
   return status == std::errc() && end == cell.data() + cell.size() && std::isnan(value);
 }
 
-/// Parts of the charges of the two electrodes that a column is made of.
+/// Weights of the charges of top and bottom electrode in a signal [1].
 struct Weights {
   double top = 0, bottom = 0;
 };
 
-/// A column of taxels.csv: the prefix of the taxel's name, and the values.
+/// Kind of column of taxels.csv: prefix before the taxel's name, unit, and where its values come
+/// from.
 struct TaxelColumn {
   const char* prefix;
   const char* unit;
   std::vector<double> electrochemistry::SegmentCharge::*values;
-  double bottom = 0; ///< part of the charge of the bottom electrode below the taxel, added
+  /// Weight of the charge of the bottom electrode below the taxel, which is added [1].
+  double bottom = 0;
   double factor = 1;
-  bool of_circuit = false, of_water = false; ///< needs a circuit of its own, a law that moves water
+  /// True if it needs a taxel with a circuit of its own, and if it needs a law that moves water.
+  bool of_circuit = false, of_water = false;
 };
 
 using Segment = electrochemistry::SegmentCharge;
@@ -73,7 +76,7 @@ std::vector<std::string> names_of(const FitColumns& columns) {
   return names;
 }
 
-/// The names of some columns, and how many more there are.
+/// Names of the known columns for messages, at most 24, and how many more there are.
 std::string known_words(const FitColumns& columns) {
   constexpr std::size_t most = 24;
   std::vector<std::string> names = names_of(columns);
@@ -93,7 +96,7 @@ FitColumns fit_columns(const Case& input) {
   const Readout& readout = input.readout;
   for (std::size_t i = 0; i < readout.taxels.size(); ++i) {
     for (const TaxelColumn& one : taxel_columns) {
-      // The crossings of lines that are not scanned pass no charge that anyone could tell apart.
+      // Where lines are not scanned, the charges of single crossings cannot be told apart.
       const bool is_passed =
           !readout.is_crossbar() || readout.scan.dwell > 0 || one.values != &Segment::passed;
       if ((!one.of_circuit || readout.has_own_circuit(i)) && is_passed &&
@@ -119,7 +122,7 @@ std::string taxel_of(const std::string& column) {
 
 namespace {
 
-/// Interval of a record at one rate, else infinity [s].
+/// Median interval between the rows of a record at one rate [s]; infinity for other records.
 double rate_interval(const FitData& data) {
   constexpr double alike = 0.3, enough = 0.8;
   std::vector<double> steps;
@@ -147,7 +150,7 @@ bool is_at_one_rate(const FitData& data) {
 
 namespace {
 
-/// Reads one file, knowing where it stands in it.
+/// Reads one signal from a CSV file, with messages that name the line.
 class Reader {
 public:
   Reader(const std::filesystem::path& path, const FitColumns& known)
@@ -266,7 +269,7 @@ private:
   CsvTable table_;
   const FitColumns& known_;
   std::vector<Title> titles_;
-  std::string last_; ///< value, as written
+  std::string last_; ///< last value, as written in the file
 };
 
 Weights weights(const std::string& column) {
@@ -298,7 +301,8 @@ double value_of_taxel(const std::string& column, const electrochemistry::IonSolu
   return kind.factor * value;
 }
 
-/// The charge behind a column, or the voltage, at an instant.
+/// Charge of which a current is the rate, a charge, or a voltage of a solution at an instant [C] or
+/// [V].
 double value_at(const std::string& column, const electrochemistry::IonSolution& ions,
                 double instant) {
   if (!taxel_of(column).empty()) {
@@ -330,7 +334,7 @@ bool is_mean(const FitData& data) {
 }
 
 std::vector<double> interval_starts(const FitData& data, double start) {
-  constexpr double gap = 1.75; // of the interval
+  constexpr double gap = 1.75; // in intervals of the record
   const double interval = rate_interval(data);
   std::vector<double> starts;
   for (std::size_t row = 1; row < data.time.size(); ++row) {
@@ -392,7 +396,9 @@ void restrict_to_run(FitData& data, double start, double end) {
 
 namespace {
 
-/// Mean between two instants of values that are linear between those that are known.
+/// Mean between two instants of a quantity that is linear between known instants.
+/// @param instants known instants, ascending [s]
+/// @param value quantity as a function of time
 template <class Value>
 double mean_between(const std::vector<double>& instants, const Value& value, double from,
                     double to) {

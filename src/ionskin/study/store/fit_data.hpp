@@ -11,58 +11,69 @@
 
 namespace ionskin::study {
 
-/// A measured signal over time.
+/// A measured signal over time, read from a file by `read_fit_data`.
 struct FitData {
-  std::string column; ///< as in signals.csv or taxels.csv: "current_difference", "voltage_left"
-  std::string unit;   ///< SI: "A"
-  std::vector<double> time;   ///< [s], strictly ascending
+  /// Name of the signal, as in signals.csv or taxels.csv: "current_difference", "voltage_left".
+  std::string column;
+  std::string unit; ///< SI unit of `values`, such as "A"
+  /// Instants [s], strictly ascending; for means, the ends of their intervals.
+  std::vector<double> time;
   std::vector<double> values; ///< in `unit`
-  bool at_one_rate = false;   ///< as `is_at_one_rate` finds it
+  bool at_one_rate = false;   ///< result of `is_at_one_rate` for the rows as read
 };
 
-/// Columns that a fit of a case can take, with their SI units: those of the electrodes, and of each
-/// taxel those that taxels.csv has of it.
+/// Names of the signals that measured data of a case can be compared with, each with its SI unit.
 using FitColumns = std::map<std::string, std::string>;
+/// Signals of a case that a fit can use: those of the electrodes, and for each taxel or line of a
+/// crossbar those in taxels.csv.
 FitColumns fit_columns(const Case& input);
 
-/// The taxel that a column is of; empty for one of the whole electrodes.
+/// Name of the taxel, or of the line of a crossbar, that a column belongs to; empty for a signal of
+/// the whole electrodes.
 std::string taxel_of(const std::string& column);
 
-/// Reads a CSV file with units in its header, such as our own signals.csv and sampled.csv:
-/// `time [s],current_difference [uA]`. Other columns are passed over, and so are rows without a
-/// value, or that repeat the one before. What is read of spreadsheets and instruments tells
-/// `CsvTable`.
-/// @param known columns that the case can be compared with
-/// @param column which one to take; may be empty when the file holds one that is known
+/// Reads the time and one signal from a CSV file with units in its header, such as our own
+/// signals.csv and sampled.csv: `time [s],current_difference [uA]`. Other columns are ignored, and
+/// so are rows without a value and rows that repeat the one before. `CsvTable` describes which
+/// variants of CSV are understood.
+/// @param known columns that the case can be compared with, see `fit_columns`
+/// @param column name of the signal to read; may be empty when the file holds only one that is
+/// known
 /// Throws UserError with the line when the file cannot be read, a column or a unit is missing or
 /// unknown, an entry is not a number, or the time does not ascend.
 FitData read_fit_data(const std::filesystem::path& path, const FitColumns& known,
                       const std::string& column = "");
 
-/// True if four in five intervals between the rows are alike.
+/// True if the rows are equally spaced in time: four in five of the intervals agree within 30 %
+/// with their median.
 bool is_at_one_rate(const FitData& data);
 
-/// True if nothing comes before and after the run.
+/// True if the signal is a current, which is 0 before and after the run.
 bool is_current(const FitData& data);
 
-/// True if the values are means over an interval, as an instrument reads them: currents, and
-/// voltages at one rate.
+/// True if each value is a mean over the interval that ends at its row, as an integrating
+/// instrument reads it: currents, and voltages at one rate. Other values hold at the instant of
+/// their row.
 bool is_mean(const FitData& data);
 
-/// Begin of the interval of each row of a current: at the row before. Of a record at one rate
-/// (four in five intervals are alike) with rows missing, a row behind a gap stands for an interval
-/// of that rate. The first interval is as long as the second, as far as the run has begun.
+/// Start of the interval of each row of averaged data [s]: as a rule the row before. In a record at
+/// one rate, a row behind a gap stands for one interval of that rate, so that rows may be missing.
+/// The first interval is as long as the second, but is cut at the start of the run.
 /// @param start of the run [s]
 std::vector<double> interval_starts(const FitData& data, double start);
 
-/// Drops the rows that a run from `start` on cannot answer: a current at or before its beginning.
-/// Throws UserError when rows lie behind `end`, or none is left. [s]
+/// Removes the rows at the beginning that a run cannot predict: instants before the run, and means
+/// that end at its start.
+/// @param start, end of the run [s]
+/// Throws UserError when rows lie behind `end`, or no row is left.
 void restrict_to_run(FitData& data, double start, double end);
 
-/// Values of a run at the rows of the data, as our tables hold them: a charge at the instants; a
-/// current as the charge gained over the row's interval, divided by it; a voltage at one rate as
-/// its mean over that interval, else at the instants. Before its beginning and behind its end
-/// charges stay. Between steps those of taxels are linear.
+/// Predicts the measured signal from a solution, one value per row of the data, in the unit of the
+/// data. A charge, or a voltage that is not at one rate, is taken at the instant of the row; a
+/// current is the charge gained over the row's interval divided by the interval; a voltage at one
+/// rate is the mean over the interval. Before and after the run, charges stay constant. Between
+/// time steps, signals of taxels are interpolated
+/// linearly.
 std::vector<double> predict(const FitData& data, const electrochemistry::IonSolution& ions);
 
 } // namespace ionskin::study

@@ -7,18 +7,22 @@
 
 namespace ionskin::study {
 
-/// A strain history that is given, not solved.
+/// Strain history of the core that is given, read from a file or made from a prescribed load,
+/// rather than solved by Study 1.
 struct GivenStrain {
   history::CoreHistory history;
-  base::Digest digest; ///< of the file's bytes as they were read
+  /// Digest of the bytes of the strain file as they were read; default for a prescribed load.
+  base::Digest digest;
 };
 
-/// The history of a case with strain.source = "file". It is part of the user's input: its mistakes
-/// are found before any work. Throws UserError when the file cannot be read, is wrong, leaves a
-/// negative fixed charge, or asks for a run that memory cannot hold.
+/// Reads the strain history of a case with strain.source = "file", and checks it before any work,
+/// as it is part of the user's input.
+/// Throws UserError when the file cannot be read, is wrong, lacks the channel that the coupling law
+/// needs, leaves a negative fixed charge, or asks for a run that memory cannot hold.
 GivenStrain read_given_strain(const Case& input);
 
-/// Throws UserError when the file no longer holds what was read of it.
+/// Checks that the strain file of a case has not changed since it was read.
+/// Throws UserError when its bytes differ.
 void require_unchanged(const Case& input, const GivenStrain& given);
 
 } // namespace ionskin::study

@@ -17,7 +17,8 @@ namespace ionskin::study {
 
 namespace {
 
-/// Holds a group per coarser solution, each with a path and a strain like those of the run.
+/// HDF5 group with one subgroup per coarser solution, each with a path and a strain like those of
+/// the run.
 constexpr const char* coarser_group = "/companions";
 constexpr double most_solves = 1e9;
 
@@ -43,7 +44,7 @@ void write_metrics(results::Hdf5File& file, const std::string& group,
   file.write_texts(group + "/unit", units);
 }
 
-/// Datasets that belong together were written with one length.
+/// Checks that datasets that belong together have one length. Throws UserError.
 void require_length(const results::ForeignHdf5File& file, const std::string& dataset,
                     std::size_t actual, std::size_t expected) {
   if (actual != expected) {
@@ -95,7 +96,8 @@ void write_slider_path(results::Hdf5File& file, const std::string& root,
   file.set_attribute(root, "contact_solves", record.contact_solves);
 }
 
-/// Below `root` what a run, or a coarser solution of it, leaves beside the strain.
+/// Writes the record of a run or of a coarser solution, without its strain history, below the group
+/// `root`.
 void write_path(results::Hdf5File& file, const std::string& root, const MechanicsRecord& record) {
   write_slider_path(file, root, record.history.time, record);
   for (std::size_t i = 0; i < record.further_sliders.size(); ++i) {
@@ -104,7 +106,8 @@ void write_path(results::Hdf5File& file, const std::string& root, const Mechanic
   }
 }
 
-/// One entry of each list for every sample of the history.
+/// Checks that each dataset of a slider has one entry for every sample of the history. Throws
+/// UserError.
 void require_samples(const results::ForeignHdf5File& file, const std::string& root,
                      const SliderRecord& record, std::size_t samples) {
   require_length(file, root + "/slider_z", record.slider_z.size(), samples);

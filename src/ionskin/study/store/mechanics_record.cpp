@@ -19,7 +19,9 @@
 namespace ionskin::study {
 namespace {
 
-/// @param energy null for all sliders but the first, which has that of all
+/// Scalar results of the contact of one slider.
+/// @param energy energy balance of all sliders; null for all sliders but the first, which carries
+/// it
 std::vector<readout::Metric> contact_metrics(const Case& input,
                                              const handover::ContactTimeline& timeline,
                                              const handover::EnergyBalance* energy) {
@@ -60,9 +62,10 @@ std::vector<readout::Metric> contact_metrics(const Case& input,
   return metrics;
 }
 
-/// The edge of a flat slider carries a line load behind which the skin may lift off, and the
-/// contact begins again where a cell of the mesh does: two meshes may agree by chance. What sticks
-/// is counted by cells under any slider.
+/// Least errors of contact area, mean pressure and sticking share, from the finite size of the
+/// contact cells. Under the edge of a flat slider, which carries a line load, the skin may lift off
+/// further inside, and the contact begins again where a cell does, so that two meshes may agree by
+/// chance. The sticking area is counted by cells under any slider.
 std::vector<readout::Metric> contact_cell_errors(const Case& input,
                                                  const handover::ContactTimeline& timeline) {
   std::vector<readout::Metric> errors;
@@ -84,7 +87,7 @@ std::vector<readout::Metric> contact_cell_errors(const Case& input,
   return errors;
 }
 
-/// Source of the strains of the path; null when there is none.
+/// Source of the strains of the path; null where the slider never touches.
 const mechanics::StrainSource* strain_source(const mechanics::ContactSolution& contact) {
   for (const mechanics::SteppedInstant& instant : contact.stepped) {
     if (instant.state) {
@@ -94,14 +97,15 @@ const mechanics::StrainSource* strain_source(const mechanics::ContactSolution& c
   return nullptr;
 }
 
-/// Samples of the record of a slider over all cycles.
-/// @param times of one cycle [s]
+/// Adds the samples of all cycles to the record of a slider.
+/// @param times sample instants of one cycle [s]
 void add_samples(const Case& input, const mechanics::ContactSolution& contact,
                  const handover::ContactTimeline& timeline, const std::vector<double>& times,
                  SliderRecord& record) {
   const auto direction = slide_direction(motion_legs(input.motion, input.slider));
   const handover::ContactSignals signals = handover::contact_signals(timeline, contact);
-  std::vector<double> stuck = signals.stick_share; // area, which is linear between the instants
+  // Multiplied by the contact area below: the sticking area is linear between the instants.
+  std::vector<double> stuck = signals.stick_share;
   for (std::size_t i = 0; i < stuck.size(); ++i) {
     stuck[i] *= signals.area[i];
   }
@@ -134,7 +138,9 @@ void add_samples(const Case& input, const mechanics::ContactSolution& contact,
   }
 }
 
-/// @param input of this slider alone
+/// Makes the record of one slider.
+/// @param input case with this slider only
+/// @param times sample instants of one cycle [s]
 /// @param energy see `contact_metrics`
 SliderRecord slider_record(const Case& input, const mechanics::ContactSolution& contact,
                            const std::vector<double>& times,
@@ -157,7 +163,7 @@ SliderRecord slider_record(const Case& input, const mechanics::ContactSolution& 
   return record;
 }
 
-/// Samples of the first cycle of a history [s].
+/// Sample instants of the first cycle of a history [s].
 std::vector<double> first_cycle(const history::CoreHistory& history, int cycles) {
   const std::size_t steps = (history.time.size() - 1) / static_cast<std::size_t>(cycles);
   return {history.time.begin(), history.time.begin() + static_cast<std::ptrdiff_t>(steps) + 1};

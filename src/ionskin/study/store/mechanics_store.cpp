@@ -18,7 +18,7 @@ bool MechanicsStore::holds(const std::filesystem::path& file, const std::string&
   if (base::check_seal(file) != base::SealState::whole) {
     return false;
   }
-  try { // a seal can be made anew by whoever damages a file
+  try { // whoever damages a file can seal it again
     const results::ForeignHdf5File content(file);
     return content.has("/path") && content.text_attribute("/path", "mechanics_hash") == hash;
   } catch (const UserError&) {
@@ -48,7 +48,7 @@ std::optional<MechanicsRecord> MechanicsStore::read_file(const std::filesystem::
   if (state != base::SealState::whole) {
     return std::nullopt;
   }
-  try { // the seal does not tell of a write that failed unnoticed
+  try { // the seal does not show a write that failed unnoticed
     return read_mechanics(file, hash, skin);
   } catch (const UserError& error) {
     notes_.push_back(std::string("The mechanics is solved again: ") + error.what());

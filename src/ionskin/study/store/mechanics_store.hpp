@@ -11,17 +11,21 @@
 
 namespace ionskin::study {
 
-/// Finished Study 1 of several cases, found by its hash (`mechanics_hash`) in the results.h5 that
-/// runs left. A file counts while its seal says that this build wrote it and nothing changed since.
+/// Index of finished solutions of Study 1 in the results.h5 files that runs left, found by
+/// `mechanics_hash`. A file counts only while its seal shows that this build of the program wrote
+/// it and that it is unchanged.
 class MechanicsStore {
 public:
-  /// Adds a file that may hold the mechanics of this hash. Files added first are read first.
+  /// Adds a file that may hold the mechanics of a hash; the file need not exist. Files of one hash
+  /// are tried in the order in which they were added.
   void add(const std::string& hash, const std::filesystem::path& file);
-  /// True if a file holds the mechanics of this hash; its arrays are not read.
+  /// True if a file is intact and holds the mechanics of this hash. Does not read its arrays.
   static bool holds(const std::filesystem::path& file, const std::string& hash);
-  /// Mechanics of this hash; empty where no file holds it. A file that fails is not asked again.
+  /// Reads the mechanics of this hash; empty where no file holds it. A file that fails is not tried
+  /// again.
+  /// @param skin whose core the strain history must cover
   std::optional<MechanicsRecord> read(const std::string& hash, const Skin& skin);
-  /// Reasons why damaged files were passed over, for the user.
+  /// Sentences for the user on damaged files that were skipped.
   const std::vector<std::string>& notes() const { return notes_; }
 
 private:

@@ -14,7 +14,10 @@ namespace {
 
 using Vector = handover::SurfaceInstant::Vector; // normal downwards, along x, along y
 
-/// Along x, y and upwards, of the whole contact where the cells are half of it.
+/// Components of cell vectors along x, y and upwards; a half model is completed by its mirror image
+/// in y.
+/// @param columns number of contact cells along x
+/// @param half true if the cells are those of a half model
 std::array<std::vector<double>, 3> components(const std::vector<Vector>& cells, std::size_t columns,
                                               bool half) {
   constexpr std::array<std::size_t, 3> from{1, 2, 0};
@@ -41,7 +44,7 @@ std::vector<double> shifted(std::vector<double> lines, double centre) {
   return lines;
 }
 
-/// Lines of a half that ends at 0, and their mirror images.
+/// Cell lines of a half model, which end at 0, followed by their mirror images [m].
 std::vector<double> with_mirror_image(std::vector<double> lines) {
   for (std::size_t i = lines.size() - 1; i > 0; --i) {
     lines.push_back(-lines[i - 1]);

@@ -8,14 +8,16 @@
 
 namespace ionskin::study {
 
-/// Instants at which fields are asked for, each once and ascending [s].
+/// Instants at which a case asks for fields (`output.fields`), ascending and without repeats [s].
 std::vector<double> field_instants(const Case& input);
 
-/// Strains of all states of a contact; empty where nothing touches.
+/// Function that recovers the strains of all layers for any state of a contact; null where the
+/// slider never touches.
 mechanics::LayerStrainAt layer_strains(const mechanics::ContactSolution& contact);
 
-/// Skin and slider at an instant of the run [s].
-/// @param strain as `layer_strains` gives it, once for all instants
+/// Deformation, tractions and position of skin and slider at one instant, for ParaView.
+/// @param strain result of `layer_strains` for this contact, made once for all instants
+/// @param time since the start of the run [s]
 results::SkinSnapshot skin_snapshot(const Case& input, const mechanics::ContactSolution& contact,
                                     const mechanics::LayerStrainAt& strain, double time);
 

@@ -7,8 +7,10 @@
 
 namespace ionskin::study {
 
-/// Solves a part of a sweep. What goes wrong there stays with its points: returned is the reason,
-/// with the remedy, or nothing when all went well. Only Interrupted is passed on.
+/// Runs a part of a sweep and catches its errors, so that a failure stays with the points
+/// concerned.
+/// @returns the reason of the failure with its remedy; empty on success
+/// Throws only Interrupted.
 std::optional<std::string> failure_of(const std::function<void()>& solve);
 
 } // namespace ionskin::study

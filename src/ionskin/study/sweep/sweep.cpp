@@ -35,7 +35,8 @@ RunOptions run_options(const SweepOptions& options) {
   return result;
 }
 
-/// Options of the folder of the whole sweep: its studies are those of the points.
+/// Options for the folder of the whole sweep. Its studies are `both`, as those of the points do not
+/// concern it.
 RunOptions folder_options(const SweepOptions& options) {
   RunOptions result = run_options(options);
   result.studies = Studies::both;
@@ -57,7 +58,7 @@ void note_cost(RunFolder& folder, const base::Timers& timers) {
   }
 }
 
-/// Runs a stage of the sweep and notes its processor time.
+/// Runs a stage of the sweep and records its processor time.
 template <class Work> void timed_stage(RunFolder& folder, const std::string& name, Work&& work) {
   const double before = base::processor_time();
   folder.stage(name, [&] {
@@ -94,7 +95,7 @@ std::vector<std::size_t> all_points(const SweepPlan& plan) {
   return result;
 }
 
-/// The tables from the points that are there, and the report.
+/// Writes the tables from the points that are finished, and the report.
 SweepOutcome collect(const SweepPlan& plan, const std::vector<PointState>& states,
                      const SweepOptions& options, RunFolder& folder) {
   timed_stage(folder, "output", [&] {
@@ -120,8 +121,8 @@ SweepOutcome collect(const SweepPlan& plan, const std::vector<PointState>& state
   return outcome;
 }
 
-/// For the files of those points that are not finished, before any work. How long those last whose
-/// strain a file gives, their runs tell.
+/// Checks, before any work, that the files of points without a run folder have room on the disk.
+/// Points with a strain file are left to their own runs, as only the file tells how long they last.
 void require_room(const SweepPlan& plan, const std::vector<std::size_t>& points,
                   const fs::path& folder, Studies studies) {
   double bytes = 0;
@@ -223,7 +224,7 @@ SweepOutcome collect_sweep(const SweepOptions& options) {
                                 options.folder.string()));
   }
   RunOptions settings = folder_options(options);
-  settings.overwrite = false; // was done when it was planned
+  settings.overwrite = false; // earlier results were replaced when the sweep was planned
   settings.resume = true;
   settings.beside_others = true;
   RunFolder folder(sweep.plan.base, settings);

@@ -23,7 +23,7 @@ constexpr std::size_t most_values = 100000;
       base::shown(argument), problem));
 }
 
-/// Parts between separators that stand outside quotes and brackets.
+/// Parts of a text between separators outside of quotes and brackets.
 std::vector<std::string> split(const std::string& text, char separator) {
   std::vector<std::string> parts{""};
   int depth = 0;
@@ -62,7 +62,7 @@ Number parse_number(const std::string& argument, std::string text) {
   return {value, base::trimmed(std::string_view(end, text.data() + text.size()))};
 }
 
-/// The numbers of a range and the one unit that they share.
+/// Numbers of a range, all with the one unit that they share.
 std::vector<Number> parse_numbers(const std::string& argument,
                                   const std::vector<std::string>& parts) {
   std::vector<Number> numbers;
@@ -82,7 +82,7 @@ std::vector<Number> parse_numbers(const std::string& argument,
   return numbers;
 }
 
-/// True of a range as other programs write it: "0.1..0.5", "0.1-0.5", "0.1 to 0.5".
+/// True if a text is a range as other programs write it: "0.1..0.5", "0.1-0.5", "0.1 to 0.5".
 bool is_foreign_range(const std::string& value) {
   double first = 0;
   const auto [end, status] = std::from_chars(value.data(), value.data() + value.size(), first);

@@ -7,24 +7,25 @@
 
 namespace ionskin::study {
 
-/// One `--over KEY=...` of a sweep.
+/// One axis of a sweep, a key with its values or interval, from an argument `--over KEY=...`. Made
+/// by `parse_axis`.
 struct SweepAxis {
-  /// Ends of an interval that a sampled design fills.
+  /// Interval of values, which a sampled design fills.
   struct Interval {
     double lower = 0, upper = 0;
-    std::string unit; ///< as the user wrote it; empty for pure numbers
+    std::string unit; ///< unit as the user wrote it; empty for pure numbers
   };
-  std::string key;
-  std::vector<std::string> values;  ///< as TOML takes them; empty for an interval
-  std::optional<Interval> interval; ///< of `KEY=a:b`
+  std::string key;                  ///< key of the case
+  std::vector<std::string> values;  ///< values in the syntax of TOML; empty for an interval
+  std::optional<Interval> interval; ///< interval of `KEY=a:b`; empty for a list or range of values
 };
 
-/// Reads one argument:
+/// Parses the argument of one `--over`:
 ///   KEY=a:step:b    equal steps, both ends included: contact.friction=0.05:0.05:0.5,
 ///                   "motion.stroke=1:0.5:3 mm", "motion.stroke=1 mm:500 um:3 mm" is refused
 ///   KEY=v1,v2,...   a list; quotes and brackets are respected: motion.preload="1 um","2 um"
 ///   KEY=a:b         an interval, for sampled designs
-/// Throws UserError: no key, no value, a range that is none, ends of different units.
+/// Throws UserError for a missing key or value, an invalid range, or ends in different units.
 SweepAxis parse_axis(const std::string& argument);
 
 } // namespace ionskin::study

@@ -11,16 +11,17 @@
 namespace ionskin::study {
 namespace {
 
-/// Work that a batch may add to the mechanics it shares, as a multiple of that.
+/// Work of a batch beyond the mechanics that it shares, as a multiple of that mechanics.
 constexpr double added_work = 4;
 
 struct GroupCost {
-  double shared = 0;       ///< one contact solution [s]
-  double per_solution = 0; ///< each further one [s]
-  double per_point = 0;    ///< ion transport [s]
+  double shared = 0;       ///< time of one contact solution [s]
+  double per_solution = 0; ///< time of each further contact solution [s]
+  double per_point = 0;    ///< time of the ion transport of a point [s]
 };
 
-/// Evenly into as few batches as their added work allows.
+/// Number of points per batch when they are divided evenly among as few batches as `added_work`
+/// allows.
 std::size_t points_per_batch(const GroupCost& cost, std::size_t points, std::size_t solutions) {
   const auto count = static_cast<double>(points);
   const double added = cost.per_point + cost.per_solution * static_cast<double>(solutions) / count;

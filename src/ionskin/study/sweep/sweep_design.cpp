@@ -14,7 +14,7 @@
 namespace ionskin::study {
 namespace {
 
-/// The upper 53 of 64 bits as a number in [0, 1).
+/// Upper 53 of 64 random bits as a number in [0, 1).
 double fraction(std::uint64_t bits) {
   return static_cast<double>(bits >> 11) * 0x1p-53;
 }
@@ -54,8 +54,8 @@ std::vector<std::vector<double>> latin_points(std::size_t points, std::size_t di
 }
 
 constexpr std::size_t most_points = 100'000;             // each has a folder
-constexpr std::size_t most_values_of_points = 2'000'000; // of all keys at all points
-constexpr std::size_t most_bytes = 128U << 20;           // of their texts, as of a plan
+constexpr std::size_t most_values_of_points = 2'000'000; // number of keys times number of points
+constexpr std::size_t most_bytes = 128U << 20;           // size of all values as texts
 
 void require_countable(std::size_t points, std::size_t keys, const char* remedy) {
   if (points > most_points) {

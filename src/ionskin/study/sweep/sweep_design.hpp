@@ -10,13 +10,14 @@
 
 namespace ionskin::study {
 
-/// Design by which the points of a sampled sweep fill the box of its intervals.
+/// Design of a sampled sweep: how its points fill the intervals of its axes, see `unit_points`.
 enum class Sampling { sobol, latin_hypercube };
 
-/// One value per axis for every point, the last axis fastest.
+/// Full grid of the values of all axes, the last axis fastest, [point][axis], as texts.
+/// Throws UserError when an axis is an interval, or there are too many points.
 std::vector<std::vector<std::string>> grid_design(const std::vector<SweepAxis>& axes);
 
-/// Points in the unit box [points][dimensions], the same for the same seed on every machine.
+/// Points in the unit box, [point][dimension], identical for the same seed on every machine.
 /// `sobol`: low-discrepancy sequence (Sobol 1967, with the direction numbers of Joe and Kuo 2008,
 /// doi 10.1137/070709359) under a random digital shift; best with powers of 2.
 /// `latin_hypercube`: one point in each of N equal slices of every axis (McKay, Beckman and Conover
@@ -24,7 +25,9 @@ std::vector<std::vector<std::string>> grid_design(const std::vector<SweepAxis>& 
 std::vector<std::vector<double>> unit_points(Sampling sampling, std::size_t points,
                                              std::size_t dimensions, std::uint64_t seed);
 
-/// One value per axis for every sampled point. All axes must be intervals. Throws UserError.
+/// Sampled values of all axes, [point][axis], as texts with their units.
+/// @param points number of points
+/// Throws UserError when an axis is no interval, or there are too many points.
 std::vector<std::vector<std::string>> sampled_design(const std::vector<SweepAxis>& axes,
                                                      Sampling sampling, std::size_t points,
                                                      std::uint64_t seed);

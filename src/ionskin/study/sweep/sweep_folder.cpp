@@ -36,8 +36,8 @@ std::string host_name() {
   return text;
 }
 
-/// Reason why a point failed, as its folder states it; nothing when it did not, or another case or
-/// build did.
+/// Reason why a point failed, from its manifest; empty if it did not fail, or if the manifest is of
+/// another case or build.
 std::optional<std::string> failure_in(const fs::path& folder, const SweepPoint& point) {
   const fs::path path = folder / names::manifest;
   if (!results::is_ionskin_manifest(path)) {
@@ -67,8 +67,8 @@ void create_folder(const fs::path& folder) {
   }
 }
 
-/// Moves files, one by one, into a folder that holds files of the user; the manifest, which says
-/// that all is there, last.
+/// Moves the files of a run one by one into a folder that also holds files of the user. The
+/// manifest, which says that all files are there, comes last.
 void move_files(const fs::path& from, results::OutputFolder& to) {
   for (const auto& entry : fs::directory_iterator(from)) {
     const std::string name = entry.path().filename().string();
@@ -81,7 +81,8 @@ void move_files(const fs::path& from, results::OutputFolder& to) {
   fs::remove(from);
 }
 
-/// @return false when something is in the way that is more than ours
+/// Renames a folder.
+/// @return false if something is in the way that is not only ours
 bool rename_whole(const fs::path& from, const fs::path& to) {
   std::error_code error;
   fs::rename(from, to, error);

@@ -22,22 +22,23 @@
 namespace ionskin::study {
 namespace {
 
-/// Largest memory of the contact solutions held at once [bytes]; what does not fit is solved in a
-/// further batch.
+/// Bound on the memory of contact solutions held at once [bytes]; further solutions wait for the
+/// next batch.
 constexpr double most_memory = 4e8;
-/// Number of values of a cell in a state of the path: its tractions, forces, displacement, slip and
-/// reserve.
+/// Number of values per contact cell in a state of the path: its tractions, forces, displacement,
+/// slip and stick reserve.
 constexpr double values_per_cell = 16;
-/// States whose strain a solution holds while its history is made, and solutions at a time.
+/// Number of states whose strain a solution holds while its history is made, and number of
+/// histories made at once.
 constexpr double held_states = 48;
 constexpr std::size_t histories_at_once = 2;
 
-/// Points with one and the same Study 1.
+/// Points with the same Study 1.
 struct SharedMechanics {
   double friction = 0;
   std::vector<std::size_t> points;
 };
-/// Entries that differ in the friction coefficient only, and can share a footprint.
+/// Solutions that differ only in the friction coefficient, and can share a footprint.
 using FrictionGroup = std::vector<SharedMechanics>;
 
 RunOptions point_options(const RunOptions& options, const SweepPoint& point) {
@@ -46,7 +47,8 @@ RunOptions point_options(const RunOptions& options, const SweepPoint& point) {
   return result;
 }
 
-/// Equal for cases that can share all factorisations.
+/// Hash that is equal for cases that can share the skin and its compliance: `mechanics_hash`
+/// without the exact friction coefficient.
 std::string hash_of_group(Case input) {
   input.contact.friction =
       input.slider.sharp() ? 0 : mechanics::footprint_friction(input.contact.friction);
@@ -92,21 +94,22 @@ double strain_memory(const mesh::SkinMesh& mesh) {
   return held_states * 6 * sizeof(double) * gauss_points;
 }
 
-/// Friction coefficients whose solutions fit into memory together.
+/// Number of friction coefficients whose solutions fit into memory together.
 std::size_t batch_size(const Case& input, const mesh::Footprint& footprint) {
   const mesh::SkinMesh mesh(input, footprint);
   return std::max<std::size_t>(
       1, static_cast<std::size_t>(most_memory / solution_memory(input, mesh)));
 }
 
-/// Plan by which the entries of a group are solved.
+/// Plan for solving the entries of a group.
 struct GroupPlan {
-  std::size_t batch = 1;                    ///< entries at once
-  std::optional<mesh::Footprint> footprint; ///< of all of them; empty: each finds its own
+  std::size_t batch = 1; ///< number of entries solved at once
+  /// Footprint that all entries share; empty: each finds its own.
+  std::optional<mesh::Footprint> footprint;
 };
 
-/// Without a footprint that all can share each entry is tried alone, and says so by itself where
-/// the contact leaves the skin.
+/// Plans a group. Without a footprint that all can share, each entry is solved by itself, and fails
+/// by itself where the contact leaves the skin.
 GroupPlan plan_group(const Case& input, int threads) {
   GroupPlan plan;
   failure_of([&] {
@@ -118,7 +121,7 @@ GroupPlan plan_group(const Case& input, int threads) {
   return plan;
 }
 
-/// Leaves mechanics that another point holds in the folder of a point.
+/// Writes the mechanics of another point into the run folder of a point.
 void take_over(const SweepPoint& point, const RunOptions& options, const MechanicsRecord& record) {
   RunFolder folder(point.input, point_options(options, point));
   folder.stage("strain", [&] {
@@ -127,7 +130,8 @@ void take_over(const SweepPoint& point, const RunOptions& options, const Mechani
   });
 }
 
-/// Leaves a solution in the folders of all points that share it.
+/// Writes a solution into the run folders of all points that share it.
+/// @param seconds wall time of the solution [s]
 void leave_in_folders(const std::vector<SweepPoint>& points, const SharedMechanics& shared,
                       const SolvedMechanics& solved, double seconds, const RunOptions& options) {
   const Case& input = points[shared.points.front()].input;
@@ -151,7 +155,7 @@ void leave_in_folders(const std::vector<SweepPoint>& points, const SharedMechani
   }
 }
 
-/// Finished share of the mechanics, of which the footprint and the coarser mesh come first.
+/// Finished fraction of the mechanics, 0 to 1; footprint and coarser meshes come first.
 double finished_share(std::string_view activity, double fraction) {
   constexpr double of_footprint = 0.05, before_mechanics = 0.15;
   if (activity == "contact footprint") {
@@ -167,8 +171,8 @@ public:
                         base::Timers& timers, std::size_t units)
       : points_(points), options_(options), timers_(timers), units_(units) {}
 
-  /// Solves entries [begin, end) of a group together.
-  /// @param footprint of all of them, or empty to find it
+  /// Solves entries [begin, end) of a group together; if that fails, each half by itself.
+  /// @param footprint that all of them share; empty to find it
   void solve(const FrictionGroup& group, std::size_t begin, std::size_t end,
              const std::optional<mesh::Footprint>& footprint) {
     const double start = base::wall_time();
@@ -221,7 +225,7 @@ private:
 
   void leave(const FrictionGroup& group, std::size_t begin, std::vector<SolvedMechanics> solutions,
              double seconds, parallel::SpareThreads& spare) {
-    // One thread recovers the strains of a solution: those without another help it.
+    // One thread recovers the strains of a solution; threads without a solution of their own help.
     parallel::run_tasks(
         solutions.size(), options_.threads,
         [&](std::size_t i) {
@@ -237,7 +241,8 @@ private:
   std::size_t units_, finished_ = 0;
 };
 
-/// Points of the given ones that are still to be solved, once they took over what is there.
+/// Copies Study 1 that is solved already into the run folders of points, and returns the points
+/// that are still to be solved.
 std::vector<std::size_t> points_to_solve(const std::vector<SweepPoint>& points,
                                          const std::vector<std::size_t>& unfinished,
                                          const RunOptions& options,

@@ -28,14 +28,14 @@ using base::Json;
 
 constexpr std::size_t largest_file = 128U << 20;
 constexpr std::uint64_t most_threads = 1U << 16;
-constexpr double most_cost = 1e18; ///< bytes, or seconds
+constexpr double most_cost = 1e18; ///< largest estimate that a plan may hold [bytes] or [s]
 
-constexpr const char* digest_key = "digest"; ///< of everything else in the file
+constexpr const char* digest_key = "digest"; ///< digest of everything else in the file
 constexpr const char* again = "plan again: ionskin sweep CASE.toml --over KEY=VALUES --plan "
                               "--overwrite -o DIR, or with --resume in place of --overwrite to "
                               "keep what is finished";
 
-/// A path may hold bytes that are not UTF-8.
+/// JSON text; bytes of paths that are not UTF-8 are replaced.
 std::string text_of(const Json& json) {
   return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
@@ -85,7 +85,7 @@ Json batch_json(const SweepPlan& plan, const SweepBatch& batch, std::size_t numb
           {"seconds", batch.seconds}};
 }
 
-/// Damage of a plan, which the user need not know more closely.
+/// Exception for a damaged plan; the user is not told the details.
 class Damaged {};
 
 void require(bool holds) {
@@ -136,7 +136,7 @@ bool is_number(const std::string& text) {
   return status == std::errc() && rest == end && std::isfinite(value);
 }
 
-/// Takes what only the point's case tells.
+/// Reads what only the point's case can tell: values in SI units and hashes.
 void take_point(const Json& json, SweepPoint& point) {
   const Json& values = json.at("values");
   require(values.is_array() && values.size() == point.values.size());
@@ -159,7 +159,8 @@ bool have_the_same_units(const std::vector<SweepPoint>& points) {
   });
 }
 
-/// Names and edits of the points are made from the request, and every one stands in one batch.
+/// Plan from its JSON. Names and edits of the points are made from the request again, and every
+/// point has to be in exactly one batch.
 PlannedSweep sweep_of(const Json& json) {
   PlannedSweep sweep;
   sweep.plan.request = request_of(json.at("sweep"));
@@ -167,7 +168,7 @@ PlannedSweep sweep_of(const Json& json) {
   std::vector<SweepPoint>& points = sweep.plan.points;
   try {
     points = designed_points(sweep.plan.request);
-  } catch (const UserError&) { // its remedy is for the one who plans
+  } catch (const UserError&) { // its remedy is for the user who plans a sweep
     throw Damaged();
   }
   std::vector<bool> taken(points.size());
@@ -191,7 +192,7 @@ PlannedSweep sweep_of(const Json& json) {
   return sweep;
 }
 
-/// A plan is whole when what was read of it makes the same text again, digest included.
+/// Reads a plan. It is intact if what was read makes the same text again, digest included.
 PlannedSweep parse(const fs::path& path) {
   const auto json = base::read_json(path, "plan", largest_file);
   try {

@@ -21,8 +21,9 @@ namespace ionskin::study {
 namespace {
 
 constexpr std::size_t longest_name = 100;
-constexpr std::size_t most_keys = 1000;  ///< largest number of keys that vary
-constexpr std::size_t most_edits = 1000; ///< of the base case; each reads the case anew
+constexpr std::size_t most_keys = 1000; ///< largest number of keys that vary
+/// Largest number of edits of the base case; each reads the case again.
+constexpr std::size_t most_edits = 1000;
 
 std::vector<SweepAxis> parse_axes(const std::vector<std::string>& over) {
   if (over.empty() || over.size() > most_keys) {
@@ -45,7 +46,8 @@ std::vector<SweepAxis> parse_axes(const std::vector<std::string>& over) {
   return axes;
 }
 
-/// Letters of a text that may stand in the name of a folder.
+/// Text without characters that may not be in the name of a folder.
+/// @param others characters to keep beside letters and digits
 std::string name_letters(std::string_view text, std::string_view others) {
   std::string result;
   for (const char letter : text) {
@@ -59,7 +61,7 @@ std::string name_letters(std::string_view text, std::string_view others) {
   return result;
 }
 
-/// The last part of a key and its value, fit for the name of a folder.
+/// Part of a folder's name: the last part of a key with its value.
 std::string name_part(const std::string& key, const std::string& value) {
   return fmt::format("_{}={}", name_letters(key.substr(key.rfind('.') + 1), "_-[]"),
                      name_letters(value, "+-."));
@@ -107,7 +109,8 @@ void read_point(const SweepRequest& request, std::size_t number, SweepPoint& poi
   }
 }
 
-/// A key whose values are of several kinds (an indentation here, a force there) becomes a text.
+/// Makes a key a text at all points if its values have different units, such as an indentation here
+/// and a force there.
 void unify_units(std::vector<SweepPoint>& points) {
   for (std::size_t k = 0; k < points.front().values.size(); ++k) {
     const std::string unit = points.front().values[k].unit;
@@ -121,7 +124,8 @@ void unify_units(std::vector<SweepPoint>& points) {
   }
 }
 
-/// The design as a comment at the end of the base case: the text then tells one sweep from another.
+/// Axes and sampling of a sweep as comments for the end of the base case, so that its text tells
+/// one sweep from another.
 std::string design_comment(const SweepRequest& request) {
   std::string text = "\n# Swept:\n";
   for (const std::string& argument : request.over) {
@@ -144,7 +148,7 @@ CaseDocument read_point_case(const SweepRequest& request, const std::vector<std:
 }
 
 Case base_case(const SweepRequest& request, Case first) {
-  // The swept keys may be missing in the file: the first point gives the base its values.
+  // The swept keys may be missing in the case file, so the first point gives them their values.
   first.text += design_comment(request);
   return first;
 }

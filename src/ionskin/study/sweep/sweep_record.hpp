@@ -10,18 +10,24 @@
 
 namespace ionskin::study {
 
-/// Record of the points of a sweep while they are solved: their states, the progress over those
-/// that are worked on, and the table on disk. May be called from several threads.
+/// States of the points of a sweep while they are solved, with the progress over the points in work
+/// and the table sweep.csv on disk. Thread-safe, but for `states`.
 class SweepRecord {
 public:
-  /// @param states of all points, as their folders tell them
-  /// @param table file to write after every point; none when empty
+  /// Record of all points of a sweep.
+  /// @param points must outlive this object
+  /// @param states of all points, as read from their run folders
+  /// @param table file that is rewritten after every point; empty for none
   SweepRecord(const std::vector<SweepPoint>& points, std::vector<PointState> states,
               base::ProgressCallback progress, std::filesystem::path table);
 
-  /// Points among the given ones that are not finished; failed ones are tried again.
+  /// Begins work on some points and returns the indices of those that are not finished; failed
+  /// points count as not finished.
+  /// @param chosen indices of the points to work on
   std::vector<std::size_t> begin(const std::vector<std::size_t>& chosen);
+  /// Sets the final state of a point, and rewrites the table.
   void settle(std::size_t point, PointState state);
+  /// Sets the finished fraction of a point, 0 to 1.
   void progress(std::size_t point, double fraction);
   const std::vector<PointState>& states() const { return states_; }
 

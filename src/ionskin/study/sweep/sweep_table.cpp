@@ -28,7 +28,7 @@ const char* to_text(PointStatus status) {
   return "";
 }
 
-/// Every metric that any point has, in the order of their first appearance.
+/// All metrics that any point has, in the order of their first appearance.
 std::vector<readout::Metric> all_metrics(const std::vector<PointState>& states) {
   std::vector<readout::Metric> result;
   for (const PointState& state : states) {

@@ -13,9 +13,10 @@
 namespace ionskin::study {
 namespace {
 
-constexpr double memory_bound = 2.4e9; // bytes for the ion transport of all points at once
+constexpr double memory_bound = 2.4e9; // memory for the ion transport of all points at once [bytes]
 
-/// The reason is made the same wherever its point was solved.
+/// Replaces the path of the staging folder in a reason of failure, so that it is the same wherever
+/// the point was solved.
 std::string without_staging(std::string text, const std::string& staged, const std::string& name) {
   for (std::size_t at = 0; (at = text.find(staged, at)) != std::string::npos;) {
     text.replace(at, staged.size(), name);
@@ -67,10 +68,11 @@ void SweepWork::run_points() {
                       [&](std::size_t i) { run_point(unfinished_[i], settings); });
 }
 
-/// One point from its mechanics on; whatever goes wrong with it stays with it.
+/// Runs one point from its mechanics on; a failure stays with the point.
 void SweepWork::run_point(std::size_t point, RunOptions options) {
   options.folder /= plan_.points[point].name;
-  options.judge_resources = false; // other programs may have taken memory since
+  // Memory and disk were checked for the whole sweep, and other programs may have taken some since.
+  options.judge_resources = false;
   options.progress = [this, point](std::string_view activity, double fraction) {
     if (activity == "ion transport") {
       record_.progress(point, 0.95 * fraction);

@@ -10,18 +10,23 @@
 
 namespace ionskin::study {
 
-/// Solves points of a sweep in a staging place and puts their folders under `points`: those of one
-/// batch, or all. A point that fails is put there too, with its reason.
+/// Solves points of a sweep, all or those of one batch, in a staging folder, and moves their run
+/// folders to `points`. A point that fails is moved there, too, with its reason.
 class SweepWork {
 public:
-  /// @param options of one point's run but for its folder and its threads
-  /// @param chosen points whose cases have been read
+  /// Work on the points that are not finished; all references must outlive this object.
+  /// @param chosen indices of the points, whose cases have been read
+  /// @param options of one point's run, without its folder; `threads` is the number for all points
+  /// together
+  /// @param place staging folder
+  /// @param record states of the points, kept up to date
   SweepWork(const SweepPlan& plan, const std::vector<std::size_t>& chosen, RunOptions options,
             const StagingPlace& place, SweepRecord& record);
 
-  /// Mechanics is shared between the points wherever it can be.
+  /// Solves Study 1 of the points; points share solution and skin wherever they can.
+  /// @param finished_points folder with run folders from which the same Study 1 is copied
   void solve_mechanics(base::Timers& timers, const std::filesystem::path& finished_points);
-  /// The rest of the points, side by side, within the threads and a memory bound.
+  /// Solves the rest of each point, in parallel within the threads and a bound on memory.
   void run_points();
 
 private:
