@@ -12,7 +12,7 @@ namespace {
 constexpr std::size_t longest_line = 400, most_lines = 150;
 constexpr std::string_view left_out = " ... ";
 
-/// Length of the UTF-8 sequence at the begin of a text that is not empty [bytes]; 0 if there is no
+/// Length of the UTF-8 sequence at the start of a text that is not empty [bytes]; 0 if there is no
 /// valid one.
 std::size_t sequence_length(std::string_view text) {
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
@@ -63,7 +63,7 @@ std::string escaped(std::string_view text, std::string_view kept) {
   return result;
 }
 
-/// Shortens a text longer than `most` bytes to its begin and end, cut between UTF-8 sequences.
+/// Shortens a text longer than `most` bytes to its start and end, cut between UTF-8 sequences.
 std::string shortened(const std::string& text, std::size_t most) {
   if (text.size() <= most)
     return text;

@@ -45,7 +45,7 @@ public:
   /// State at rest: equilibrium concentration of the cations and no pressure.
   PressureState rest() const;
   /// Advances the water by one time step, with concentrations linear in time over the step.
-  /// @param begin state at the begin of the step
+  /// @param begin state at the start of the step
   /// @param duration of the step [s]
   /// @param cations amount of cations at each z level above the amount at rest, per area of the
   ///   skin, at the end of the step [mol/m2]; empty for ions at rest

@@ -55,7 +55,7 @@ public:
   void start(std::span<const double> undrained, PressureState& state);
 
   /// Advances the state by one time step, with p_u linear in time over the step.
-  /// @param begin state at the begin of the step
+  /// @param begin state at the start of the step
   /// @param duration of the step [s]
   /// @param undrained p_u at the end of the step [z][y][x] [Pa]
   /// @param end receives the state at the end of the step

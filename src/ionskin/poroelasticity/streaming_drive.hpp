@@ -76,11 +76,11 @@ public:
   /// All water that has left the core through each wall since the first instant, per area of the
   /// skin, at the instant evaluated last [m].
   Outflow left() const;
-  /// Part of the water that has left which the ionic current has dragged, per area of the skin, at
-  /// the last accepted instant [m].
+  /// Water dragged by the ionic current that has left the core through each wall, a part of `left`,
+  /// per area of the skin, at the last accepted instant [m].
   const Outflow& dragged() const { return dragged_water_.left(); }
-  /// P at the top wall minus P at the bottom wall that the dragged water causes, mean over the
-  /// columns, at the last accepted instant [Pa]. The drive leaves this pressure out.
+  /// Pressure difference between the walls (top minus bottom) caused by the dragged water, mean
+  /// over the columns, at the last accepted instant [Pa]. The drive leaves this pressure out.
   double dragged_pressure_difference() const { return dragged_water_.pressure_difference(); }
   /// P at the levels of the drive, at the instant evaluated last, [level][y][x] [Pa].
   std::vector<double> pressure_at_levels() const;

@@ -39,11 +39,11 @@ public:
   void write_ions(const electrochemistry::TransportGrid& grid,
                   const std::vector<electrochemistry::IonSnapshot>& snapshots);
   /// Writes the contact maps of one slider as the group /contact, one subgroup per state.
-  /// @param suffix of the slider ("_2" for the second), behind /contact
+  /// @param suffix of the slider ("_2" for the second), appended to the name /contact
   void write_contact(const ContactMaps& contact, const std::string& suffix = "");
   /// Writes the shape of a slider's underside, for drawings, as the group /slider: sample
   /// positions x and y from the slider's centre [m], and height [y][x] above its lowest point [m].
-  /// @param suffix of the slider ("_2" for the second), behind /slider
+  /// @param suffix of the slider ("_2" for the second), appended to the name /slider
   void write_slider(const Slider& slider, const std::string& suffix = "");
   /// Writes the text of the case or of the manifest.
   /// @param name "case" or "manifest"

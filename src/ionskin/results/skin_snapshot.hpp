@@ -11,7 +11,7 @@ namespace ionskin::results {
 /// Deformation of the whole skin, and position and tractions of one slider on it, at one instant.
 /// Made by `study::skin_snapshot` for `write_skin`.
 struct SkinSnapshot {
-  double time = 0;                ///< since the begin of the run [s]
+  double time = 0;                ///< since the start of the run [s]
   handover::SkinDeformation skin; ///< displacement and stress of all layers
   std::array<double, 2> centre{}; ///< x and y of the slider's centre from the skin's corner [m]
   /// Height of the slider's lowest point above the undeformed top face [m]; negative when pressed

@@ -27,7 +27,7 @@ struct CellTrial {
   double pull_slope = 0;   ///< decrease of the adhesive force per opening [N/m]
   double time_step = 0;    ///< duration of the step [s]
   double lagged_speed = 0; ///< slip speed with the lag of the law, see `FrictionArguments` [m/s]
-  ElasticSlip elastic{};   ///< elastic slip at the begin of the step
+  ElasticSlip elastic{};   ///< elastic slip at the start of the step
   /// Direction of steady sliding (unit vector), in which the cell then slips whatever the trial;
   /// empty in ordinary steps.
   std::optional<TangentialVector> sliding_direction{};

@@ -34,7 +34,7 @@ struct ElasticStep {
 };
 
 /// Computes the update coefficients of the elastic slip for one step.
-/// @param before elastic slip at the begin of the step
+/// @param before elastic slip at the start of the step
 /// @param at arguments at the end of the step; the slip increment is ignored
 ElasticStep elastic_step(const Friction& friction, const ElasticSlip& before,
                          const FrictionArguments& at);
@@ -52,7 +52,7 @@ struct SlipDivision {
   double lost = 0;     ///< length of the irreversible slip of the step [m]
 };
 /// Divides the slip of a step into its elastic and its irreversible part.
-/// @param before elastic slip at the begin of the step
+/// @param before elastic slip at the start of the step
 /// @param slip of the step, along x and y [m]
 SlipDivision divided_slip(const Friction& friction, const ElasticSlip& before,
                           const FrictionArguments& at, const TangentialVector& slip);

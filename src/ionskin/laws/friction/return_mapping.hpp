@@ -28,7 +28,7 @@ struct FrictionTrial {
   double compliance = 0;       ///< slip over (trial traction - traction) [m/Pa]
   double time_step = 0;        ///< duration of the step [s]
   double lagged_speed = 0;     ///< slip speed with the lag of the law [m/s]
-  ElasticSlip elastic{};       ///< elastic slip at the begin of the step
+  ElasticSlip elastic{};       ///< elastic slip at the start of the step
 };
 
 /// Computes the tangential traction of a cell at the end of a step, and its derivatives, by return

@@ -51,8 +51,9 @@ public:
   std::optional<double> number_attribute(const std::string& object, const std::string& name) const;
 
 private:
-  /// Sends a question to the reading process. Returns the size of the answer, which is received
-  /// next [bytes]; nothing when the object does not exist.
+  /// Sends a question to the reading process and receives the header of its answer. Returns the
+  /// size of the content, to be received next [bytes]; nothing (`nullopt`) when an attribute does
+  /// not exist.
   std::optional<std::uint64_t> ask(Hdf5Question question, const std::string& object,
                                    const std::string& name = "", std::uint64_t expected_bytes = 0,
                                    std::uint64_t frame = 0) const;

@@ -66,7 +66,7 @@ hid_t open_file(const std::filesystem::path& path, Hdf5File::Access access) {
   return H5Fopen(path.c_str(), read_only ? H5F_ACC_RDONLY : H5F_ACC_RDWR, H5P_DEFAULT);
 }
 
-/// True if the bytes have the HDF5 signature, at the begin or behind a user block of 512, 1024,
+/// True if the bytes have the HDF5 signature, at the start or behind a user block of 512, 1024,
 /// 2048, ... bytes.
 bool has_signature(std::span<std::byte> image) {
   constexpr std::string_view signature = "\x89HDF\r\n\x1a\n";

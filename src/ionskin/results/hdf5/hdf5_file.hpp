@@ -45,11 +45,13 @@ public:
   /// Flushes and closes the file. The destructor closes it too, but cannot report a failure.
   void close();
 
+  /// True if `object` exists.
   bool has(const std::string& object) const;
   /// True if `object` exists and is a dataset of numbers.
   bool has_numbers(const std::string& object) const;
   /// Names of the members of a group, in alphabetical order.
   std::vector<std::string> members(const std::string& group) const;
+  /// Lengths of the dimensions of a dataset; empty for a scalar.
   Shape shape(const std::string& dataset) const;
   /// Opens every object of the file, so that damage shows now rather than in a later read.
   void require_plain() const;
@@ -65,16 +67,21 @@ public:
   /// Writes numbers as a new dataset, with their unit in its attribute "unit".
   void write_with_unit(const std::string& dataset, const std::vector<double>& values,
                        const std::string& unit, const Shape& shape = {});
+  /// Writes one UTF-8 text as a new scalar dataset.
   void write_text(const std::string& dataset, const std::string& text);
+  /// Writes a list of UTF-8 texts as a new one-dimensional dataset.
   void write_texts(const std::string& dataset, const std::vector<std::string>& texts);
+  /// Reads all values of a dataset of numbers, row-major.
   std::vector<double> read(const std::string& dataset) const;
+  /// Reads a dataset that holds one text.
   std::string read_text(const std::string& dataset) const;
+  /// Reads a one-dimensional dataset of texts of fixed length.
   std::vector<std::string> read_texts(const std::string& dataset) const;
 
   /// Creates a compressed dataset to be written frame by frame. A frame is all values at one index
   /// of the first dimension; the first entry of `shape` is the number of frames.
   void create_frames(const std::string& dataset, const Shape& shape);
-  /// Writes one frame.
+  /// Writes one frame. Throws InternalError when `values` has not the size of a frame.
   /// @param values of the frame, row-major over the other dimensions
   void write_frame(const std::string& dataset, std::size_t frame,
                    const std::vector<double>& values);
