@@ -5,9 +5,9 @@
 
 namespace ionskin::laws {
 
-/// Coupling law `poroelastic`: pressure moves water, and water drags the cations, docs/model.md
-/// (22), (23). The fixed charge does not change, and no coefficient is fitted: the constants are
-/// the keys `water.NAME` of the case (poroelasticity/streaming_drive.hpp).
+/// Coupling law `poroelastic`: pressure moves water, and water drags the cations,
+/// docs/model.md (22), (23). The fixed charge does not change, and no coefficient is fitted: the
+/// constants are the keys `water.NAME` of the case (poroelasticity/streaming_drive.hpp).
 struct Poroelastic {
   double coefficient = 0; ///< not used; every coupling law has this member
 

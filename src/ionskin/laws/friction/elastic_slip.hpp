@@ -18,12 +18,12 @@ struct ElasticSlip {
 };
 
 /// Coefficients that update the elastic slip over one step, docs/model.md (45):
-///   elastic slip after = `kept` * elastic slip before + `taken` * slip of the step.
-/// The tangential stiffness is limit / (largest elastic slip), so it changes with pressure. Where
-/// the limit rises, newly loaded contact is unstrained and the traction is kept; where it falls,
-/// the elastic slip is kept and the released contact loses its share of the traction. The mean of
-/// both stiffnesses resists the slip of the step, so no step creates energy, docs/model.md (46),
-/// (47).
+///   elastic slip after = `kept` * elastic slip before + `taken` * slip of the step,
+/// cut to the length `Friction::elastic_slip`. The tangential stiffness is the limit over that
+/// length, so it changes with pressure. Where the limit rises, newly loaded contact is unstrained
+/// and the traction is kept; where it falls, the elastic slip is kept and the released contact
+/// loses its share of the traction. The mean of both stiffnesses resists the slip of the step. So
+/// no step creates energy: docs/model.md (46), (47).
 struct ElasticStep {
   double limit = 0; ///< traction limit in full slip at the end of the step [Pa]
   double kept = 1;  ///< factor of the elastic slip before the step [1]
