@@ -9,8 +9,8 @@
 
 namespace ionskin::base {
 
-/// Takes values from their bytes on this machine, in the order in which they were written. A read
-/// beyond the end takes nothing and returns false.
+/// Reader of a sequence of binary values in this machine's byte order, in the order in which they
+/// were written. A read beyond the end of the bytes takes nothing and returns false.
 class ByteReader {
 public:
   explicit ByteReader(std::span<const std::byte> bytes) : rest_(bytes) {}
@@ -18,7 +18,7 @@ public:
   template <class T>
   requires std::is_trivially_copyable_v<T>
   bool take(T& value) { return take_bytes(&value, sizeof(T)); }
-  /// A list whose length is known.
+  /// Reads as many values as `values` has entries, into `values`.
   template <class T> bool take_known(std::vector<T>& values) {
     return values.empty() || take_bytes(values.data(), values.size() * sizeof(T));
   }

@@ -6,7 +6,7 @@
 
 namespace ionskin {
 
-/// Exit codes that scripts may rely on.
+/// Exit codes of the program, which scripts may rely on.
 enum class ExitCode {
   success = 0,
   internal_error = 1,
@@ -16,14 +16,15 @@ enum class ExitCode {
   interrupted = 130
 };
 
-/// The user's case, file or command line is wrong: nothing was computed. Exit code 2.
-/// The message says what is wrong, where, the actual value and the remedy.
+/// Exception for a mistake in the user's case, file or command line, thrown before anything is
+/// computed. Exit code 2. The message says what is wrong, where, the actual value and the remedy.
 class UserError : public std::runtime_error {
 public:
   using std::runtime_error::runtime_error;
 };
 
-/// A solver gave up on a valid case; what was finished is kept. Exit code 3.
+/// Exception for a solver that gave up on a valid case. Results that were finished before are kept.
+/// Exit code 3.
 class SolverError : public std::runtime_error {
 public:
   /// @param what_happened the quantity that failed, with its value
@@ -36,13 +37,13 @@ private:
   std::string remedy_;
 };
 
-/// A mistake of the program. Exit code 1.
+/// Exception for a defect of the program itself. Exit code 1.
 class InternalError : public std::logic_error {
 public:
   using std::logic_error::logic_error;
 };
 
-/// The user asked to stop (SIGINT, SIGTERM). Exit code 130.
+/// Exception that unwinds the work after the user asked to stop (SIGINT, SIGTERM). Exit code 130.
 class Interrupted : public std::runtime_error {
 public:
   Interrupted() : std::runtime_error("interrupted") {}

@@ -6,13 +6,13 @@
 
 namespace ionskin::base {
 
-/// The larger of two numbers, or NaN where one is NaN. std::max drops it, so that a solution that
-/// has broken down would pass for converged.
+/// Larger of two numbers, or NaN if one of them is NaN. `std::max` can drop a NaN, so that a
+/// solution that has broken down would pass for converged.
 constexpr double nan_max(double a, double b) {
   return a < b || b != b ? b : a; // a comparison with NaN is false: a NaN stays
 }
 
-/// The largest magnitude of some numbers, or NaN where one is NaN; 0 of none.
+/// Largest magnitude of some numbers; NaN if one of them is NaN, 0 if there are none.
 inline double largest_magnitude(std::span<const double> values) {
   double largest = 0;
   for (const double value : values) {

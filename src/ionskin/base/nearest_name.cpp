@@ -29,7 +29,7 @@ std::string nearest_name(std::string_view name, const std::vector<std::string>& 
   std::string nearest;
   std::size_t smallest = std::max<std::size_t>(1, name.size() / 3) + 1;
   for (const std::string& candidate : candidates) {
-    // No distance is smaller than what the lengths differ by.
+    // The edit distance is at least the difference of the lengths.
     if (std::max(name.size(), candidate.size()) - std::min(name.size(), candidate.size()) >=
         smallest) {
       continue;

@@ -8,12 +8,12 @@
 
 namespace ionskin::base {
 
-/// Smallest number of single-character insertions, deletions, replacements and swaps of neighbours
-/// that turn one name into the other (optimal string alignment distance).
+/// Edit distance of two names (optimal string alignment): smallest number of single-byte
+/// insertions, deletions, replacements and swaps of neighbours that turn one into the other.
 std::size_t edit_distance(std::string_view first, std::string_view second);
 
-/// The candidate closest to a misspelt name, or an empty string when none is close: at most one
-/// edit for every three characters, and at least one.
+/// Finds the candidate closest to a misspelt name, to suggest it to the user. Empty when none is
+/// close: one edit is allowed for every three characters of the name, and at least one.
 std::string nearest_name(std::string_view name, const std::vector<std::string>& candidates);
 
 } // namespace ionskin::base

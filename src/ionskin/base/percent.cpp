@@ -13,7 +13,8 @@ std::string percent(double share) {
   if (value > 1000) {
     return "over 1000 %";
   }
-  // Rounded to two digits first: a plain format would give ten or more an exponent or more digits.
+  // Values from 10 on are rounded to two digits first: a plain format would print them with an
+  // exponent or with more digits.
   if (value < 10) {
     return fmt::format("{:.2g} %", value);
   }

@@ -5,8 +5,8 @@
 
 namespace ionskin::base {
 
-/// A share as a reader sees it: "0.65 %", "130 %"; two significant digits. Beyond 1,000 % an error
-/// only tells that nothing is known: "over 1000 %".
+/// Formats a ratio [1] as a percentage with two significant digits: "0.65 %", "130 %". Values above
+/// 10 become "over 1000 %", since such an error only says that nothing is known.
 std::string percent(double share);
 
 } // namespace ionskin::base

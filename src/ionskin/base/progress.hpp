@@ -6,15 +6,16 @@
 
 namespace ionskin::base {
 
-/// Receiver of the progress of the physics: the name of the activity and the finished fraction in
-/// [0, 1]. May be called from several threads at once only where a function says so.
+/// Callback through which the solvers report progress: name of the activity, and its finished
+/// fraction in [0, 1]. A function that calls it from several threads at once says so.
 using ProgressCallback = std::function<void(std::string_view activity, double fraction)>;
 
-/// Progress callback that ignores what it is given.
+/// Progress callback that does nothing.
 inline void no_progress(std::string_view, double) {}
 
-/// A part of an activity, which takes it from `first` to `first + share`.
-/// @param whole must outlive the result
+/// Progress callback for a part of an activity: maps its fractions 0 to 1 to the fractions `first`
+/// to `first + share` of the whole activity.
+/// @param whole callback of the whole activity, which must outlive the result
 inline ProgressCallback share_of(const ProgressCallback& whole, double first, double share) {
   return [&whole, first, share](std::string_view activity, double fraction) {
     whole(activity, first + share * fraction);

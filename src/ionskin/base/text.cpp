@@ -12,7 +12,8 @@ namespace {
 constexpr std::size_t longest_line = 400, most_lines = 150;
 constexpr std::string_view left_out = " ... ";
 
-/// Length of the UTF-8 sequence that begins here, 0 where none does.
+/// Length of the UTF-8 sequence at the start of a text that is not empty [bytes]; 0 if there is no
+/// valid one.
 std::size_t sequence_length(std::string_view text) {
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
   const std::size_t length = byte(0) < 0x80   ? 1
@@ -32,8 +33,8 @@ std::size_t sequence_length(std::string_view text) {
   return overlong || surrogate || beyond ? 0 : length;
 }
 
-/// True for a sequence on which a terminal acts: controls of ASCII and Latin-1, line and paragraph
-/// ends, and what turns the direction of writing.
+/// True for a UTF-8 sequence that a terminal interprets: control characters of ASCII and Latin-1,
+/// line and paragraph separators, and characters that change the direction of writing.
 bool acts_on_terminal(std::string_view sequence) {
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(sequence[i]); };
   if (sequence.size() == 1)
@@ -62,7 +63,7 @@ std::string escaped(std::string_view text, std::string_view kept) {
   return result;
 }
 
-/// The ends of a long text of whole UTF-8 sequences.
+/// Shortens a text longer than `most` bytes to its start and end, cut between UTF-8 sequences.
 std::string shortened(const std::string& text, std::size_t most) {
   if (text.size() <= most)
     return text;
@@ -103,7 +104,7 @@ std::vector<std::string> split(std::string_view text, char separator, std::strin
 }
 
 std::string shown(std::string_view text, std::size_t most) {
-  // The ends alone are looked at, however long the text is.
+  // Only the ends are escaped, however long the text is.
   if (text.size() > 4 * most)
     return shortened(escaped(text.substr(0, 2 * most), "") +
                          escaped(text.substr(text.size() - 2 * most), ""),

@@ -7,27 +7,30 @@
 
 namespace ionskin::base {
 
-/// The text without the blanks at its ends.
+/// Removes blanks from both ends of a text.
+/// @param blanks characters that count as blank
 std::string trimmed(std::string_view text, std::string_view blanks = " \t");
 
-/// The parts before, between and after the separators, each trimmed; one even of an empty text.
+/// Splits a text at every separator and trims the parts. There is always one part more than there
+/// are separators, so an empty text gives one empty part.
+/// @param blanks characters that count as blank
 std::vector<std::string> split(std::string_view text, char separator,
                                std::string_view blanks = " \t");
 
-/// A user's text for a message: one line, control bytes and bytes that are not UTF-8 escaped
-/// ("\\x1b"), the middle of a long one left out.
-/// @param most bytes that are shown
+/// Makes a user's text safe to show in a message: on one line, with control characters and bytes
+/// that are not UTF-8 escaped ("\\x1b"), and with the middle of a long text left out.
+/// @param most length beyond which the text is shortened [bytes]
 std::string shown(std::string_view text, std::size_t most = 120);
 
-/// A whole message that may hold users' texts: as `shown`, but lines and tabs stay, and both the
-/// lines and their number are bounded.
+/// Makes a whole message, which may contain users' texts, safe to print: escapes as `shown` does,
+/// but keeps line breaks and tabs, and limits the length and the number of lines.
 std::string printable(std::string_view message);
 
-/// One cell of a CSV file, quoted where it must be. A text that a spreadsheet would take for a
-/// formula gets an apostrophe before it, which makes it a text there.
+/// Formats a text as one cell of a CSV file, with quotes if needed. A text that a spreadsheet would
+/// take for a formula gets a leading apostrophe, so that it stays a text.
 std::string csv_cell(std::string_view text);
 
-/// True if all of the text is UTF-8.
+/// True if the whole text is valid UTF-8.
 bool is_utf8(std::string_view text);
 
 } // namespace ionskin::base

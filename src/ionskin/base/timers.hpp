@@ -7,10 +7,11 @@
 
 namespace ionskin::base {
 
-/// Wall time per named stage; safe to use from several threads.
+/// Wall times of named stages, summed over several measurements; safe to use from several threads.
 class Timers {
 public:
-  /// Adds the time from construction to destruction to a stage.
+  /// Timer that adds the wall time from its construction to its destruction to a stage. The
+  /// `Timers` must outlive it.
   class Scope {
   public:
     Scope(Timers& timers, std::string stage);
@@ -24,10 +25,10 @@ public:
     double start_;
   };
 
-  /// Adds a duration to a stage, which is made if it is new.
-  /// @param seconds wall time to add to a stage
+  /// Adds a wall time to a stage; a new stage starts at 0.
+  /// @param seconds wall time [s]
   void add(const std::string& stage, double seconds);
-  /// Wall time per stage [s].
+  /// Wall times by stage [s].
   std::map<std::string, double> seconds() const;
 
 private:
@@ -35,7 +36,7 @@ private:
   std::map<std::string, double> seconds_;
 };
 
-/// Wall clock since an arbitrary start [s].
+/// Wall clock time since an arbitrary start [s]; it never goes back.
 double wall_time();
 /// Processor time of this process so far, all threads [s].
 double processor_time();

@@ -17,7 +17,7 @@ double value_at(const std::vector<double>& time, const std::vector<double>& quan
   }
   const auto i = static_cast<std::size_t>(after - time.begin());
   const double weight = (instant - time[i - 1]) / (time[i] - time[i - 1]);
-  // A row that is hit exactly must not be spoilt by an empty neighbour.
+  // At the exact time of a sample, a NaN in the next sample must not spoil the value.
   return weight == 0 ? quantity[i - 1] : quantity[i - 1] + weight * (quantity[i] - quantity[i - 1]);
 }
 

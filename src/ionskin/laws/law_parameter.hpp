@@ -14,32 +14,33 @@
 
 namespace ionskin::laws {
 
-/// A parameter of a law's own, as the law declares it. The schema makes a key of it,
-/// `contact.NAME`, `coupling.NAME` or, of a circuit, `readout.NAME`, which is read, checked,
-/// explained, documented and hashed by this declaration.
+/// Declaration of a parameter that only one law has (a friction law, coupling law, circuit or
+/// slider shape). From it the schema makes a key of the case file, `contact.NAME`, `coupling.NAME`,
+/// `readout.NAME` or `slider.NAME`, with its checks, help and documentation.
 struct LawParameter {
   std::string_view name;
   units::Dimension dimension = units::Dimension::number;
-  bool whole = false;             ///< takes whole numbers only
-  double lowest = 0, highest = 0; ///< allowed, both included [SI]
-  std::string_view help;          ///< one sentence
-  std::string_view default_value; ///< TOML, such as "\"4 MPa\""; where empty, a case must give it
-  std::string_view source;        ///< of the default
+  bool whole = false;             ///< true if the value must be an integer
+  double lowest = 0, highest = 0; ///< allowed range, ends included [SI unit of `dimension`]
+  std::string_view help;          ///< one sentence for the user
+  std::string_view default_value; ///< as TOML, such as "\"4 MPa\""; empty: a case must give a value
+  std::string_view source;        ///< source of the default value
 };
 
-/// Values of a law's parameters by their names [SI].
+/// Values of the parameters of a law, by name [SI].
 using LawValues = std::map<std::string, double, std::less<>>;
 
-/// A declared parameter and the member of the law that holds it.
+/// Declared parameter, with the member of the law's struct that stores its value.
 template <class Law> struct OwnParameter {
   LawParameter declared;
   double Law::*member = nullptr;
 };
 
-/// Parameters of a law without any.
+/// Empty list of parameters, for a law that has none of its own.
 template <class Law> inline constexpr std::array<OwnParameter<Law>, 0> no_parameters{};
 
-/// The declarations of a law's parameters; `Law::parameters()` gives an array of `OwnParameter`.
+/// Declarations of all parameters of a law, taken from `Law::parameters()`, which returns an array
+/// of `OwnParameter`. The span stays valid for the life of the process.
 template <class Law> std::span<const LawParameter> declared_parameters() {
   constexpr std::size_t count = Law::parameters().size();
   static const auto table = [] {
@@ -52,7 +53,7 @@ template <class Law> std::span<const LawParameter> declared_parameters() {
   return table;
 }
 
-/// True if the law of a name has a parameter of its own of a name.
+/// True if the table `laws` has a law named `law` with a parameter named `parameter`.
 template <class Law>
 bool has_parameter(std::span<const Law> laws, std::string_view law, std::string_view parameter) {
   return std::ranges::any_of(laws, [&](const Law& candidate) {
@@ -62,7 +63,8 @@ bool has_parameter(std::span<const Law> laws, std::string_view law, std::string_
   });
 }
 
-/// A law with the values of its parameters, which must all be there.
+/// Creates a law and sets all its parameters.
+/// @param values must hold every parameter of the law, else std::out_of_range is thrown
 template <class Law> Law with_parameters(const LawValues& values) {
   Law law;
   for (const OwnParameter<Law>& own : Law::parameters()) {
@@ -71,8 +73,8 @@ template <class Law> Law with_parameters(const LawValues& values) {
   return law;
 }
 
-/// A law from the values of its parameters and the coefficient that every law of friction or
-/// coupling has.
+/// Creates a friction or coupling law from its coefficient, which every such law has, and the
+/// values of its own parameters.
 template <class Law> Law law_with(double coefficient, const LawValues& values) {
   Law law = with_parameters<Law>(values);
   law.coefficient = coefficient;

@@ -10,9 +10,9 @@
 
 namespace ionskin::laws {
 
-/// The row of a table by its `name`, which the schema has checked. Throws InternalError where there
-/// is none.
-/// @param kind of the rows, for the message: "circuit"
+/// Finds the row of a table by its member `name`. Throws InternalError when there is none, since
+/// the schema has already checked the name.
+/// @param kind what the rows are, for the message, such as "circuit"
 template <class Row>
 const Row& named_row(std::span<const Row> rows, std::string_view name, std::string_view kind) {
   const auto found = std::ranges::find(rows, name, &Row::name);

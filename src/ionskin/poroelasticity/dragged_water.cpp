@@ -43,8 +43,8 @@ PressureState DraggedWater::rest() const {
 
 void DraggedWater::step(const PressureState& begin, double duration,
                         std::span<const double> cations, PressureState& end) {
-  // Each level's water is a load on the functions of the elements, whose sum and whose moments
-  // about the walls are those of the levels.
+  // The water of each z level is distributed to the nodes of its element by the shape functions,
+  // which keeps its total and its first moment.
   std::ranges::fill(brought_, 0.0);
   for (std::size_t k = 0; k < cations.size(); ++k) {
     for (std::size_t j = 0; j < to_levels_.weights[k].size(); ++j) {
@@ -56,7 +56,7 @@ void DraggedWater::step(const PressureState& begin, double duration,
   }
   water_.step(begin, duration, load_, end);
   water_.pressure(end, pressure_);
-  // The water that P stores, less that which the cations brought.
+  // Increase of the water at each node: water stored by P minus water brought by the cations.
   if (relaxes_) {
     water_.undrained(end, load_);
     for (std::size_t i = 0; i < load_.size(); ++i) {

@@ -69,7 +69,7 @@ LineModes wall_modes(const std::vector<double>& nodes, const WaterWalls& walls, 
   for (Eigen::Index m = 0; m < count; ++m) {
     const bool uniform = m == 0 && is_sealed;
     modes.curvature[static_cast<std::size_t>(m)] = uniform ? 0.0 : solver.eigenvalues()(m);
-    // The uniform mode is known: water is conserved to rounding.
+    // The uniform mode is known exactly, so water is conserved to rounding.
     const Eigen::VectorXd vector = uniform ? Eigen::VectorXd(even / std::sqrt(1 - held_share))
                                            : Eigen::VectorXd(solver.eigenvectors().col(m));
     for (Eigen::Index i = 0; i < count; ++i) {

@@ -9,7 +9,7 @@
 namespace ionskin::poroelasticity {
 namespace {
 
-/// The integral of a load's share from the first instant on.
+/// Integral of the waveform of a load from its first instant to `time` [s].
 double integral_to(const LoadShares& load, double time) {
   double sum = 0;
   for (std::size_t i = 0; i + 1 < load.time.size() && load.time[i] < time; ++i) {

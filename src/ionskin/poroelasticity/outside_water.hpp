@@ -9,26 +9,26 @@
 
 namespace ionskin::poroelasticity {
 
-/// Water outside the walls, docs/model.md (74): the pressure in the core that would stand still
-/// under it, linear from wall to wall, and what flows through meanwhile. Constant from the first
-/// instant on, or over time as a prescribed load.
+/// Water under pressure outside the walls of the core, docs/model.md (74): computes the steady
+/// pore pressure that it causes in the core, linear from wall to wall, and the steady flow through
+/// the core. The outside pressures are constant, or follow the waveform of a prescribed load.
 class OutsideWater {
 public:
-  /// @param mobility of the core [m2/(Pa s)]
+  /// @param mobility K of the core [m2/(Pa s)]
   OutsideWater(const Case& input, const WaterWalls& walls, double mobility);
 
-  /// True if there is any water under pressure outside.
+  /// True if the pressure outside at least one wall is not 0.
   bool acts() const { return pressure_[0] != 0 || pressure_[1] != 0; }
-  /// Steady pressure at a height in the core [Pa].
+  /// Steady pore pressure at a height above the bottom of the core [m] and a time [s] [Pa].
   double steady(double height, double time) const;
-  /// Water that has gone through the core from bottom to top since the first instant, per area [m].
+  /// Volume of water that the steady flow has carried through the core from bottom to top between
+  /// time 0 and `time` [s], per area of the skin [m].
   double passed(double time) const;
-  /// Largest magnitude of a pressure [Pa].
+  /// Larger magnitude of the two outside pressures [Pa].
   double largest() const;
 
 private:
-  std::optional<LoadShares>
-      load_; ///< shares that the pressures follow; without them they are constant
+  std::optional<LoadShares> load_; ///< waveform of the pressures; empty: they are constant
   std::array<double, 2> pressure_; ///< outside the bottom and the top wall [Pa]
   WaterWalls walls_;
   double thickness_, mobility_;

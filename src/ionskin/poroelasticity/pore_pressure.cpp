@@ -19,7 +19,8 @@ Eigen::Map<RowMajor> view(double* values, std::size_t rows, std::size_t columns)
   return {values, static_cast<Eigen::Index>(rows), static_cast<Eigen::Index>(columns)};
 }
 
-/// A square matrix along the middle index of a field [outer][size][inner].
+/// Multiplies a square matrix [size][size] with a field [outer][size][inner] along its middle
+/// index.
 void apply(const std::vector<double>& matrix, std::size_t size, std::size_t outer,
            std::size_t inner, const double* field, double* result) {
   const auto operation = view(matrix.data(), size, size);
@@ -33,7 +34,7 @@ void apply(const std::vector<double>& matrix, std::size_t size, std::size_t oute
   }
 }
 
-/// (1 - exp(-a))/a, 1 at 0.
+/// Mean of exp(-a s) over s from 0 to 1: (1 - exp(-a))/a, and 1 at a = 0.
 double mean_decay(double a) {
   return a < 1e-8 ? 1.0 - 0.5 * a : -std::expm1(-a) / a;
 }

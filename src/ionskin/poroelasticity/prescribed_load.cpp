@@ -13,8 +13,8 @@
 namespace ionskin::poroelasticity {
 namespace {
 
-/// Number of samples per period of a sine, which is linear between them: 1e-3 of its amplitude is
-/// lost.
+/// Number of samples per period of a sine. Linear interpolation between them loses 1e-3 of its
+/// amplitude.
 constexpr int samples_per_period = 64;
 
 LoadShares sine(const StrainSource& strain) {
@@ -31,7 +31,7 @@ LoadShares sine(const StrainSource& strain) {
   return load;
 }
 
-/// Undrained pressure of the whole load, at the bottom and at the top of the core [Pa].
+/// Undrained pore pressure under the whole load, at the bottom and at the top of the core [Pa].
 std::array<double, 2> undrained_pressure(const Case& input) {
   const double storage = storage_modulus(input);
   if (input.strain.curvature == 0) {

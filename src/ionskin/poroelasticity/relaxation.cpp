@@ -17,13 +17,14 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// M_B/(M + M_B): p_u over the stress that makes it.
+/// Undrained pore pressure over the stress that causes it, M_B/(M + M_B) [1].
 double undrained_share(const Relaxation& core) {
   return core.storage / (1 + core.storage);
 }
 
-/// Elastic strain of the branches of the series right after a unit step of p_u, at the pressure P
-/// that the step leaves, all over dM/dG.
+/// Elastic strain of the branches of the Prony series right after a unit step of p_u, over dM/dG;
+/// it is the same for all branches.
+/// @param pressure P right after the step
 double branch_strain(const Relaxation& core, double pressure) {
   // Dilation t follows from M t = P + (G e or -p), and a branch is strained by dM/dG t - e.
   const double stress = -1 / undrained_share(core); // G e or -p
@@ -38,13 +39,14 @@ double branch_strain(const Relaxation& core, double pressure) {
   return pressure;
 }
 
-/// Rates of the modes of P and of the branch strains.
+/// Factors of the rate matrix of one mode of the water, for P and the strains of the branches.
 struct Rates {
-  MatrixXd compliance; ///< symmetric, times `decay` makes the matrix of rates
+  MatrixXd compliance; ///< T, symmetric; `compliance` * diag(`decay`) is the matrix of rates
   VectorXd decay;
 };
 
-/// dz/dt = -T W z of z = (P, branch strains over dM/dG), where T is symmetric.
+/// Rate matrix T W of dz/dt = -T W z for z = (P, branch strains over dM/dG), with T symmetric and W
+/// diagonal. For an infinite `diffusion` P is 0 and z holds only the strains.
 Rates rates_of(const Relaxation& core, double diffusion) {
   const auto branches = static_cast<Index>(core.times.size());
   const double share = undrained_share(core);
@@ -59,7 +61,7 @@ Rates rates_of(const Relaxation& core, double diffusion) {
     rates.compliance(i + 1, i + 1) += 1 / modulus;
     rates.decay(i + 1) = modulus / core.times[at];
   }
-  if (std::isinf(diffusion)) { // P stays 0
+  if (std::isinf(diffusion)) { // open wall: P stays 0
     const MatrixXd inner = rates.compliance.bottomRightCorner(branches, branches);
     rates.compliance = inner - MatrixXd::Constant(branches, branches, share);
     rates.decay = VectorXd(rates.decay.tail(branches));
@@ -102,7 +104,7 @@ StepResponse step_response(const Relaxation& core, double diffusion) {
   const VectorXd amplitudes = shapes.transpose() * inverse * begin;
 
   const double lost = core.shear_share * std::accumulate(core.lost.begin(), core.lost.end(), 0.0);
-  const double relaxed = 1 - lost; // M when all is gone that goes
+  const double relaxed = 1 - lost; // M after complete relaxation
   const double share = undrained_share(core);
   StepResponse response;
   const auto add = [&](double rate, double pressure, double branches) {

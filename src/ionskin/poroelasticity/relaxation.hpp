@@ -7,43 +7,43 @@
 
 namespace ionskin::poroelasticity {
 
-/// Load that drives the water of a core whose stress relaxes.
+/// Kind of load that drives the water in a core whose stress relaxes.
 enum class RelaxingLoad {
-  strain,   ///< along the skin, of a bent strip
-  pressure, ///< on its faces
-  water     ///< water that is brought into the core
+  strain,   ///< prescribed strain along the skin, of a bent strip
+  pressure, ///< prescribed pressure on the faces
+  water     ///< water carried into the core by the ionic current
 };
 
-/// A core whose shear modulus relaxes as a Prony series, docs/model.md (76). Moduli are over the
-/// swelling modulus M of the first instant. Without times nothing relaxes.
+/// Relaxation of the core: its shear modulus G decays as a Prony series, docs/model.md (76). All
+/// moduli are divided by the swelling modulus M at the first instant. Empty `times`: no relaxation.
 struct Relaxation {
-  std::vector<double> times; ///< [s]
-  std::vector<double> lost;  ///< by how much G is smaller after each time [1]
-  double shear = 0;          ///< G of the first instant [1]
-  double shear_share = 0;    ///< dM/dG [1]
-  double storage = 0;        ///< M_B [1]
+  std::vector<double> times; ///< relaxation times of the branches [s]
+  std::vector<double> lost;  ///< loss of G by each branch, once relaxed, over M [1]
+  double shear = 0;          ///< G at the first instant, over M [1]
+  double shear_share = 0;    ///< derivative dM/dG [1]
+  double storage = 0;        ///< M_B over M [1]
   RelaxingLoad load = RelaxingLoad::strain;
 
+  /// Number of decaying terms of each mode of the water: one, and one per branch.
   std::size_t terms() const { return times.size() + 1; }
 };
 
-/// Relaxation of the core of a case whose law moves water, under its prescribed load.
+/// Derives the relaxation of the core under the prescribed load of a case whose law moves water.
 Relaxation derive_relaxation(const Case& input);
 
-/// The answer of one mode of the water to a unit step of p_u, of the first instant, as a sum of
-/// decays: sum of weight * exp(-rate * time).
+/// Response of one mode of the water to a unit step of p_u (with the moduli of the first instant),
+/// as a sum of decaying terms: sum of weight * exp(-rate * time).
 struct StepResponse {
-  std::vector<double> rate;     ///< [terms] [1/s]
-  std::vector<double> pressure; ///< weights of P [terms]
-  /// Weights of the undrained pressure that would have let in as much water, P less the swelling
-  /// times M, and what it has of p_u directly.
+  std::vector<double> rate;     ///< decay rates [term] [1/s]
+  std::vector<double> pressure; ///< weights of the terms in P [term] [1]
+  /// Weights of the terms in the effective undrained pressure, P - M * swelling [term] [1].
   std::vector<double> undrained;
-  double undrained_directly = 0;
+  double undrained_directly = 0; ///< constant part of the effective undrained pressure [1]
 };
 
-/// Response of one mode to a step of the load, as a sum of exponentials.
-/// @param diffusion rate at which the mode would decay if nothing relaxed, c_v times its curvature
-///   [1/s]; infinite at an open wall, where P is 0
+/// Computes the response of one mode of the water to a unit step of the load.
+/// @param diffusion decay rate of the mode without relaxation, c_v times its eigenvalue [1/s];
+///   infinite for the mode of an open wall, where P is 0
 StepResponse step_response(const Relaxation& relaxation, double diffusion);
 
 } // namespace ionskin::poroelasticity

@@ -14,19 +14,20 @@
 namespace ionskin::poroelasticity {
 namespace {
 
-constexpr double longest_hold = 0.03; // c_v t/h2 of a held indentation
+constexpr double longest_hold = 0.03; // largest c_v t/h^2 of a held indentation without a warning
 
-/// Self-diffusivity of water in wet Nafion, the order that NMR finds [m2/s], and the share of water
-/// where the case does not give it.
+/// Self-diffusivity of water in wet Nafion, in the order that NMR measures [m2/s], and the volume
+/// fraction of water if the case does not give it [1].
 constexpr double self_diffusivity = 5e-10, usual_share = 0.4;
 
-/// Relative errors of the wall difference of P, and late of the dilution, at c_v t/h2 of 0.01, 0.1
-/// and 1.
+/// Relative errors of the pressure difference between the walls, and at late times of the dilution,
+/// at c_v t/h^2 of 0.01, 0.1 and 1.
 using ErrorRow = std::array<double, 3>;
 constexpr ErrorRow under_force{0.02, 0.22, 0.35}, under_indentation{0.07, 0.46, 1.3};
 
 double logarithmic(const ErrorRow& row, double number) {
-  // Errors fall in proportion below the table; above it they have no meaning but to be large.
+  // Errors are proportional to the number below the table; above it they only show that the error
+  // is large.
   if (number <= 0.01) {
     return row[0] * number / 0.01;
   }
@@ -52,7 +53,7 @@ std::string warn_about_slow_water(const Case& input) {
   const double share = input.water.volume_fraction > 0 ? input.water.volume_fraction : usual_share;
   const double least = self_diffusivity * share * constants::molar_volume_of_water /
                        (constants::gas_constant * input.electrochemistry.temperature);
-  // In air water diffuses more slowly, and its material says how it moves.
+  // In humid air water moves more slowly than in a wet core, and the material gives its mobility.
   if (water.mobility >= least || input.skin.humidity > 0) {
     return "";
   }

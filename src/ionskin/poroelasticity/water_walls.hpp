@@ -10,19 +10,22 @@ namespace ionskin::poroelasticity {
 inline constexpr double sealed_wall = 0;
 inline constexpr double open_wall = std::numeric_limits<double>::infinity();
 
-/// Conductance of the walls of the core, over the mobility of the core [1/m].
+/// Permeability of the walls of the core to water: conductance of each wall over the mobility of
+/// the core, G/K [1/m]; `sealed_wall` (0) or `open_wall` (infinity) at the extremes.
 struct WaterWalls {
   double bottom = sealed_wall, top = sealed_wall;
 
-  /// Steady pressure in the core under one unit outside the top wall and none outside the bottom
-  /// one, docs/model.md (74). The core ends at 0 and at `thickness` [m].
+  /// Steady pore pressure at a height, for a unit pressure outside the top wall and zero outside
+  /// the bottom wall, docs/model.md (74) [1].
+  /// @param height above the bottom of the core [m]
+  /// @param thickness of the core [m]
   double share_of_top(double height, double thickness) const;
-  /// Slope of the share [1/m].
+  /// Derivative of `share_of_top` with respect to height [1/m]; 0 beside a sealed wall.
   double slope_of_share(double thickness) const;
 };
 
-/// Conductances of both walls over the mobility of the core [1/m], from the keys of a case.
-/// @param mobility of the core [m2/(Pa s)]
+/// Derives the permeability of both walls from the keys of a case.
+/// @param mobility K of the core [m2/(Pa s)]
 WaterWalls water_walls(const Water& water, double mobility);
 
 } // namespace ionskin::poroelasticity

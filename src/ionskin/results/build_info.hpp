@@ -4,7 +4,8 @@
 namespace ionskin::results::build_info {
 
 extern const char* const version;
-extern const char* const commit; ///< of the sources when the build was configured; may be empty
+/// Git commit of the sources when the build was configured; may be empty.
+extern const char* const commit;
 extern const char* const compiler;
 extern const char* const build_type;
 

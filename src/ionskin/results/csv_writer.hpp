@@ -8,11 +8,12 @@
 
 namespace ionskin::results {
 
-/// The table as CSV: a header with units ("time [s]"), `cycle` and `phase` behind the first column
-/// if the table has them, numbers with all their digits (reading them back gives the same doubles),
-/// empty entries for NaN and for cycle 0.
+/// Formats a table of signals as CSV text. The header gives names with units ("time [s]"); columns
+/// `cycle` and `phase` follow the first column if the table has them. Numbers have as many digits
+/// as it takes to read back the identical doubles; NaN and cycle 0 become empty entries.
 std::string csv_text(const readout::SignalTable& table);
-/// Writes the file atomically. Throws UserError when it cannot.
+/// Writes `csv_text` of a table to a file, atomically. Throws UserError when the file cannot be
+/// written.
 void write_csv(const std::filesystem::path& path, const readout::SignalTable& table);
 
 } // namespace ionskin::results

@@ -43,7 +43,7 @@ std::optional<std::set<std::string>> read_file_list(const fs::path& folder) {
     }
     return names;
   } catch (const UserError&) {
-    return std::nullopt; // missing, a link, or nothing that a run wrote
+    return std::nullopt; // missing, a link, or not a file that a run wrote
   }
 }
 
@@ -53,7 +53,7 @@ void add_to_file_list(const fs::path& folder, const std::string& name) {
   if (list < 0) {
     throw base::UnwritableFile(path, std::strerror(errno));
   }
-  // A power cut may have left half a line.
+  // Starts on a new line, since a power cut may have left an incomplete one.
   const std::string text = "\n" + name + "\n";
   const ssize_t count = ::write(list, text.data(), text.size());
   const bool written = count == static_cast<ssize_t>(text.size()) && ::fsync(list) == 0;

@@ -8,21 +8,25 @@
 
 namespace ionskin::results {
 
-/// Name of the list of the files that ionskin wrote into a folder, one name a line. The Python
-/// package adds its figures, see output_folder.py.
+/// Name of the list file of an output folder: it holds the names of all files that ionskin wrote
+/// there, one per line. The Python package adds the names of its figures (output_folder.py).
 inline constexpr const char* file_list_name = ".ionskin-files";
 
-/// A name that leads nowhere but into the folder or a folder in it.
+/// True if `name` is a relative path to a file in a folder or in one of its direct subfolders,
+/// without "." or "..": no such name leads out of the folder.
 bool is_inner_name(const std::string& name);
 
-/// The names in the list; anything but an inner name is left out. Empty when there is no list.
+/// Reads the names in the list file of a folder, without any that `is_inner_name` rejects. Nothing
+/// (`nullopt`) when the list is missing or cannot be read.
 std::optional<std::set<std::string>> read_file_list(const std::filesystem::path& folder);
 
-/// Adds a name to the list, which is made if it is missing, and flushes it to the disk, so that no
-/// file exists before its name stands here. Throws UserError when it cannot.
+/// Appends a name to the existing list file of a folder and flushes it to disk. Call it before the
+/// file itself is created, so that no file exists that is not listed. Throws UserError when the
+/// list is missing or cannot be written.
 void add_to_file_list(const std::filesystem::path& folder, const std::string& name);
 
-/// Makes the list empty. Throws UserError when it cannot.
+/// Replaces the list file of a folder by an empty list, or creates it. Throws UserError when it
+/// cannot be written.
 void clear_file_list(const std::filesystem::path& folder);
 
 } // namespace ionskin::results

@@ -20,10 +20,10 @@ namespace {
 
 using base::Json;
 
-/// Key of the digest of everything else in the file.
+/// Key of the digest of all other content of the file.
 constexpr const char* digest_key = "digest";
 
-/// A command line may hold bytes that are not UTF-8.
+/// Formats JSON as text; bytes that are not UTF-8, as in a command line, are replaced.
 std::string text_of(const Json& json) {
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
@@ -60,7 +60,8 @@ bool is_ours(const Json& json) {
          json["program"].contains("name") && json["program"]["name"] == "ionskin";
 }
 
-/// Nothing where the file is missing, or is not a manifest of ours.
+/// Reads a manifest of ionskin as JSON. Nothing (`nullopt`) when the file is missing, cannot be
+/// read or is no manifest of ionskin.
 std::optional<Json> parse(const std::filesystem::path& path) {
   try {
     auto json = base::read_json(path, "manifest");
@@ -138,7 +139,7 @@ Manifest read_manifest(const std::filesystem::path& path) {
     manifest.started = json->at("started").get<std::string>();
     manifest.command = json->at("command").get<std::string>();
     if (!json->at("threads").is_number_integer()) {
-      throw damaged; // the library would cast any other number
+      throw damaged; // the JSON library would convert a number that is not an integer
     }
     manifest.threads = json->at("threads").get<int>();
     manifest.input_hash = json->at("input_hash").get<std::string>();

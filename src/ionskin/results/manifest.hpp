@@ -8,43 +8,52 @@
 
 namespace ionskin::results {
 
-/// One stage of a run.
+/// Record of one stage of a run ("mechanics", "strain", "electrochemistry", "output") in its
+/// manifest.
 struct StageRecord {
   std::string state;      ///< "running", "finished", "interrupted" or "failed"
   double wall_time = 0;   ///< [s]
   double peak_memory = 0; ///< largest resident memory of the process when the stage ended [bytes]
-  std::string source;     ///< origin of what was taken over: "earlier run", "another point"; empty
-                          ///< where worked here
+  /// Origin of a stage that was reused rather than computed: "earlier run" or "another point" of
+  /// the sweep; empty for a stage that this run computed.
+  std::string source;
 };
 
-/// Contents of manifest.json: where a result comes from and how far its run came. Nothing in it
-/// names the machine.
+/// Contents of manifest.json: the input and program that a result comes from, and how far its run
+/// got. It holds nothing that identifies the machine.
 struct Manifest {
-  std::string command;
-  std::string input_hash;        ///< of everything that decides the result, see `content_hash`
-  std::string state = "running"; ///< of the whole run, as for the stages
-  std::string reason;            ///< reason why the run gave up
-  std::string started;           ///< UTC, ISO 8601; filled by `new_manifest`
+  std::string command;           ///< command line
+  std::string input_hash;        ///< `content_hash` of everything that decides the result
+  std::string state = "running"; ///< state of the whole run, as for `StageRecord::state`
+  std::string reason;            ///< reason why the run gave up; empty otherwise
+  std::string started;           ///< UTC, ISO 8601; set by `new_manifest`
   int threads = 1;
-  std::map<std::string, StageRecord> stages;
-  std::map<std::string, double> counters;
-  std::string build; ///< digest of the program, empty when unknown; filled by `new_manifest`
-  std::map<std::string, std::string> files; ///< digests of the results, by name; when finished
+  std::map<std::string, StageRecord> stages; ///< by name
+  std::map<std::string, double> counters;    ///< numbers for the record, such as "time_steps"
+  std::string build; ///< digest of the program, empty when unknown; set by `new_manifest`
+  /// Digests of the result files by name, from which later changes are found; empty until the run
+  /// has finished.
+  std::map<std::string, std::string> files;
 };
 
-/// A manifest that starts now.
+/// Creates the manifest of a run that starts now, with its start time and the digest of this
+/// program.
 Manifest new_manifest(std::string command, int threads, std::string input_hash);
 
-/// The JSON text, with the program's version, commit and compiler.
+/// Formats a manifest as JSON text. The text also holds the program's version, commit and compiler,
+/// and a digest of itself.
 std::string manifest_text(const Manifest& manifest);
-/// Writes the file atomically. Throws UserError when it cannot.
+/// Writes `manifest_text` to a file, atomically. Throws UserError when the file cannot be written.
 void write_manifest(const std::filesystem::path& path, const Manifest& manifest);
-/// Throws UserError when the file is missing, is not a manifest of ionskin, or was changed.
+/// Reads a manifest. Throws UserError when the file is missing, is not a manifest of ionskin, or
+/// was changed since ionskin wrote it.
 Manifest read_manifest(const std::filesystem::path& path);
+/// True if the file can be read and names ionskin as the program that wrote it; changes to it are
+/// not looked for.
 bool is_ionskin_manifest(const std::filesystem::path& path);
 
-/// The digest of `base::DigestBuilder` as 32 hexadecimal digits. Tells whether two inputs differ;
-/// no protection against forgery.
+/// Digest of `content` by `base::DigestBuilder`, as 32 hexadecimal digits. It shows whether two
+/// inputs differ, but does not protect against forgery.
 std::string content_hash(std::string_view content);
 
 } // namespace ionskin::results

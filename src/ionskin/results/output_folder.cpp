@@ -29,7 +29,7 @@ constexpr std::array top_files{
     file_names::sweep_signals,  file_names::sweep_plan,      file_names::water,
     file_names::water_error};
 
-/// Status of the entry itself; a link is a link.
+/// File status of a path, without following symbolic links.
 fs::file_status status_of(const fs::path& path) {
   std::error_code ignored;
   return fs::symlink_status(path, ignored);
@@ -43,8 +43,8 @@ bool is_ours(const fs::path& folder) {
   return is_ionskin_manifest(folder / file_names::manifest) || read_file_list(folder).has_value();
 }
 
-/// True if a folder holds nothing, or no more than a list of files that a killed program had not
-/// yet renamed: the list is the first that is written.
+/// True if a folder is empty, or holds only temporary list files that a killed program had not yet
+/// renamed; the list file is the first file that is written to a folder.
 bool is_fresh(const fs::path& folder) {
   const std::string pending = std::string(file_list_name) + ".";
   return std::all_of(fs::directory_iterator(folder), fs::directory_iterator(),
@@ -72,7 +72,8 @@ void require_own(const fs::path& folder, ExistingFolder existing) {
                               path.string()));
 }
 
-/// Names of the results that versions before the list wrote; their figures stay.
+/// Names of the results of versions of ionskin that wrote no list file; their figures are not
+/// included, so they stay.
 std::set<std::string> unlisted_results(const fs::path& folder) {
   std::set<std::string> names(top_files.begin(), top_files.end());
   std::error_code error;
@@ -157,7 +158,7 @@ void OutputFolder::make_ready(ExistingFolder existing, LockKind lock) {
       throw_foreign(folder_ / name);
     }
   }
-  // Tells whether the folder can be written before anything is removed.
+  // Writes to the folder before anything is removed, to find out whether it is writable.
   if (!listed) {
     clear_file_list(folder_);
     for (const std::string& name : owned_) {
@@ -168,7 +169,7 @@ void OutputFolder::make_ready(ExistingFolder existing, LockKind lock) {
   } else {
     base::PendingFile probe(folder_ / file_list_name);
   }
-  if (lock == LockKind::exclusive) { // else another may be writing them
+  if (lock == LockKind::exclusive) { // with a shared lock, another process may be writing them
     base::remove_pending_files(folder_);
     for (const char* name : subfolders) {
       base::remove_pending_files(folder_ / name);
@@ -221,7 +222,7 @@ void OutputFolder::remove_results() {
   owned_.clear();
   std::error_code ignored;
   for (const char* name : {file_names::fields, file_names::figures, file_names::evaluations}) {
-    fs::remove(folder_ / name, ignored); // only an empty folder goes
+    fs::remove(folder_ / name, ignored); // removes only an empty folder
   }
   clear_file_list(folder_);
 }
@@ -249,7 +250,7 @@ void remove_points(const fs::path& points) {
     if (is_folder(entry.path()) && is_ours(entry.path())) {
       { const OutputFolder point(entry.path(), ExistingFolder::overwrite); }
       const auto left = std::distance(fs::directory_iterator(entry.path()), {});
-      if (left == 1) { // the list
+      if (left == 1) { // only the list file
         fs::remove(entry.path() / file_list_name, ignored);
         fs::remove(entry.path(), ignored);
       }

@@ -7,8 +7,8 @@
 
 namespace ionskin::results {
 
-// Closing the file would not do: a child that another thread starts shares it until it runs its own
-// program.
+// The lock is released explicitly. Closing the file is not enough: a child process that another
+// thread is starting shares the open file until it executes its own program.
 PathLock::~PathLock() {
   if (file_ >= 0) {
     ::flock(file_, LOCK_UN);
@@ -17,7 +17,7 @@ PathLock::~PathLock() {
 
 std::optional<PathLock> lock_path(const std::filesystem::path& path, LockKind kind) {
   PathLock lock;
-  // Opening a pipe would wait for its writer.
+  // Without O_NONBLOCK, opening a pipe would wait for its writer.
   lock.file_ = base::FileDescriptor(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
   const int operation = (kind == LockKind::exclusive ? LOCK_EX : LOCK_SH) | LOCK_NB;
   if (lock.file_ >= 0 && ::flock(lock.file_, operation) != 0 && errno == EWOULDBLOCK) {

@@ -8,13 +8,14 @@
 
 namespace ionskin::results {
 
-/// Kind of a lock: exclusive or shared.
+/// Kind of a file lock.
 enum class LockKind {
-  exclusive,
-  shared ///< beside others that are shared
+  exclusive, ///< refused while any other lock is held
+  shared     ///< refused only while an exclusive lock is held
 };
 
-/// A lock on a folder or a file, held while the object lives and at most as long as the process.
+/// Lock on a folder or a file (flock). It is held while the object lives, and ends with the process
+/// at the latest. A default-constructed object holds no lock.
 class PathLock {
 public:
   PathLock() = default;
@@ -27,8 +28,9 @@ private:
   base::FileDescriptor file_;
 };
 
-/// Locks a folder or a file. Nothing when another holds it. On file systems that know no such locks
-/// there is none.
+/// Locks an existing folder or file without waiting. Returns nothing (`nullopt`) when another
+/// process holds a conflicting lock. Where the path cannot be opened or the file system has no such
+/// locks, the returned object holds no lock.
 std::optional<PathLock> lock_path(const std::filesystem::path& path, LockKind kind);
 
 } // namespace ionskin::results

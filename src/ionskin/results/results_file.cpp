@@ -21,7 +21,7 @@ Hdf5File::Access prepare(const std::filesystem::path& path, const std::filesyste
   if (start == ResultsFile::Start::empty || !std::filesystem::exists(path, error)) {
     return Hdf5File::Access::create;
   }
-  // The library opens the copy in this process.
+  // The HDF5 library opens the copy in this process, so a damaged file must be found before.
   ForeignHdf5File(path).require_plain();
   std::filesystem::copy_file(path, pending, std::filesystem::copy_options::overwrite_existing,
                              error);

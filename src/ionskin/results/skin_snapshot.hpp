@@ -8,16 +8,22 @@
 
 namespace ionskin::results {
 
-/// The whole skin and the slider on it at one instant.
+/// Deformation of the whole skin, and position and tractions of one slider on it, at one instant.
+/// Made by `study::skin_snapshot` for `write_skin`.
 struct SkinSnapshot {
-  double time = 0; ///< since the begin of the run [s]
-  handover::SkinDeformation skin;
-  std::array<double, 2> centre{};     ///< of the slider from the skin's corner [m]
-  double height = 0;                  ///< of its lowest point above the undeformed top face [m]
-  std::vector<double> cell_x, cell_y; ///< lines between the cells of the contact [m]
-  /// Traction of the slider on each cell, along x, y and upwards, [y][x], x fastest [Pa].
+  double time = 0;                ///< since the start of the run [s]
+  handover::SkinDeformation skin; ///< displacement and stress of all layers
+  std::array<double, 2> centre{}; ///< x and y of the slider's centre from the skin's corner [m]
+  /// Height of the slider's lowest point above the undeformed top face [m]; negative when pressed
+  /// in.
+  double height = 0;
+  /// Edges of the contact cells along x and y, from the skin's corner [m].
+  std::vector<double> cell_x, cell_y;
+  /// Traction of the slider on each contact cell: components along x, y and upwards, each [y][x]
+  /// [Pa].
   std::array<std::vector<double>, 3> traction;
-  /// Mean displacement of each cell, along x, y and upwards [m].
+  /// Mean displacement of the top face over each contact cell: components along x, y and upwards,
+  /// each [y][x] [m].
   std::array<std::vector<double>, 3> surface;
 };
 

@@ -7,14 +7,16 @@
 
 namespace ionskin::results {
 
-/// A slider's underside for drawings, denser towards its ends, where a rounded edge is steep.
+/// Sampled heights of a slider's underside, for drawings. Samples are denser towards its ends,
+/// where a rounded edge is steep.
 struct SliderSurface {
-  std::vector<double> x, y;   ///< from the slider's centre [m]
-  std::vector<double> height; ///< above its lowest point, [y][x], x fastest [m]
+  std::vector<double> x, y;   ///< positions of the samples from the slider's centre [m]
+  std::vector<double> height; ///< height above the lowest point, [y][x] with x fastest [m]
 };
 
-/// Heights of a slider's underside for drawings.
-/// @param x,y further places, as far as they lie within the plan [m]
+/// Samples the underside of a slider over its plan (its outline seen from above).
+/// @param x,y positions of further samples, from the slider's centre [m]; those outside the plan
+///   are ignored
 SliderSurface slider_surface(const Slider& slider, const std::vector<double>& x = {},
                              const std::vector<double>& y = {});
 

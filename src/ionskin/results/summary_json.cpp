@@ -15,15 +15,16 @@
 namespace ionskin::results {
 namespace {
 
-/// Fit for a column of a table and for the name of a dataset.
+/// True if a text can be the name of a table column and of a dataset: printable, not only dots, and
+/// without any of the `forbidden` characters.
 bool is_name(const std::string& text, std::string_view forbidden) {
   return text.find_first_not_of('.') != std::string::npos &&
          text.find_first_of(forbidden) == std::string::npos &&
          base::shown(text, text.size()) == text;
 }
 
-/// Nothing where a metric has no proper name or unit. Throws exceptions of the library where a
-/// value has another type.
+/// Converts JSON to a summary. Nothing (`nullopt`) when a metric has an invalid name or unit.
+/// Throws exceptions of the JSON library when a value is missing or has another type.
 std::optional<Summary> summary_of(const base::Json& json) {
   Summary summary;
   for (const auto& [name, entry] : json.at("metrics").get_ref<const base::Json::object_t&>()) {
@@ -71,7 +72,7 @@ std::string summary_text(const Summary& summary) {
                        {"words", summary.circuit->words},
                        {"top_potential", summary.circuit->top_potential}};
   }
-  // Names of files need not be UTF-8, as JSON must.
+  // File names in warnings need not be UTF-8, but JSON must be.
   return json.dump(2, ' ', false, base::Json::error_handler_t::replace) + "\n";
 }
 

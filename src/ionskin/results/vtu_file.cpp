@@ -18,11 +18,11 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "the files say so");
 
-/// One <DataArray> of VTK's XML format, its values compressed in the appended part of the file
-/// (VTK file formats, "XML file formats", https://docs.vtk.org).
+/// One <DataArray> element of VTK's XML format, with its values compressed for the appended part of
+/// the file (VTK file formats, "XML file formats", https://docs.vtk.org).
 struct DataArray {
   std::string attributes;
-  std::string bytes; ///< compressed, with their header
+  std::string bytes; ///< compressed values behind their header
 };
 
 template <class Value>
@@ -36,10 +36,10 @@ DataArray compressed(std::string attributes, const std::vector<Value>& values) {
   std::vector<unsigned char> buffer(compressBound(block_bytes));
   for (std::size_t begin = 0; begin < size; begin += block_bytes) {
     uLongf length = buffer.size();
-    // The best compression takes seconds for a few per cent.
+    // The best compression would take seconds longer and save only a few per cent.
     if (compress2(buffer.data(), &length, raw + begin, std::min(block_bytes, size - begin),
                   Z_BEST_SPEED) != Z_OK) {
-      throw std::bad_alloc(); // nothing else can fail: the buffer takes any result
+      throw std::bad_alloc(); // the only possible failure: the buffer is large enough
     }
     header.push_back(length);
     body.append(reinterpret_cast<const char*>(buffer.data()), length);

@@ -9,30 +9,34 @@
 
 namespace ionskin::results {
 
-/// Values at points or cells, the components of one after the other.
+/// Field on the points or on the cells of a `VtuGrid`, scalar or with several components.
 struct VtuArray {
-  std::string name, unit;
-  std::vector<std::string> components; ///< names of several; empty for one
-  std::vector<float> values;
+  std::string name, unit;              ///< an empty unit is not written
+  std::vector<std::string> components; ///< names of the components; empty for a scalar
+  std::vector<float> values;           ///< [point or cell][component]
 };
 
-/// Cells of one kind between points.
+/// Unstructured grid of VTK: points, cells of one kind between them, and fields.
 struct VtuGrid {
   enum class Cell : std::uint8_t { quadrilateral = 9, hexahedron = 12 }; // numbers of VTK
   Cell cell = Cell::hexahedron;
-  std::vector<double> points;         ///< x, y, z of each [m]
-  std::vector<std::int64_t> vertices; ///< of each cell: anticlockwise, the lower face first
-  std::vector<VtuArray> at_points, at_cells;
+  std::vector<double> points; ///< coordinates [point][x, y, z] [m]
+  /// Indices of the points of each cell, [cell][4 or 8]: anticlockwise seen from above; the lower
+  /// face of a hexahedron first.
+  std::vector<std::int64_t> vertices;
+  std::vector<VtuArray> at_points, at_cells; ///< fields
 
-  /// Hexahedra between lines, x fastest.
+  /// Grid of hexahedra between lines along x, y and z [m]; points and cells are ordered [z][y][x].
   static VtuGrid between(const std::vector<double>& x, const std::vector<double>& y,
                          const std::vector<double>& z);
-  /// Quadrilaterals between lines. @param heights of the crossings, [y][x]
+  /// Surface of quadrilaterals between lines along x and y [m].
+  /// @param heights z where the lines cross, [y][x] [m]
   static VtuGrid surface(const std::vector<double>& x, const std::vector<double>& y,
                          const std::vector<double>& heights);
 };
 
-/// Writes VTK's XML format for unstructured grids, compressed.
+/// Writes a grid as a file of VTK's XML format for unstructured grids (.vtu), compressed.
+/// @param time stored as the file's time [s]
 /// Throws UserError when the file cannot be written.
 void write_vtu(const std::filesystem::path& path, double time, const VtuGrid& grid);
 

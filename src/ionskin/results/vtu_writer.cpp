@@ -33,7 +33,8 @@ std::string in_folder(const std::string& name) {
   return std::string(file_names::fields) + "/" + name;
 }
 
-/// Values are constant over a column, so that columns share no points: four at each level.
+/// Grid of the core with separate points for each lateral column, four at each z level: values are
+/// constant over a column, so neighbouring columns cannot share points.
 VtuGrid column_grid(const electrochemistry::TransportGrid& grid, double core_bottom) {
   VtuGrid result;
   const auto levels = static_cast<std::int64_t>(grid.z_nodes.size());
@@ -56,7 +57,8 @@ VtuGrid column_grid(const electrochemistry::TransportGrid& grid, double core_bot
   return result;
 }
 
-/// @param field [level][column]
+/// Values at the points of `column_grid`, four equal ones per node.
+/// @param field values at the nodes [level][column]
 std::vector<float> at_column_points(const std::vector<double>& field, std::size_t levels) {
   const std::size_t columns = field.size() / levels;
   std::vector<float> result;
@@ -69,7 +71,8 @@ std::vector<float> at_column_points(const std::vector<double>& field, std::size_
   return result;
 }
 
-/// Components of one place after the other.
+/// Array with several components, [point or cell][component].
+/// @param values one vector per component
 template <std::size_t count>
 VtuArray interleaved(std::string name, std::string unit, std::vector<std::string> components,
                      const std::array<const std::vector<double>*, count>& values) {
@@ -88,7 +91,8 @@ VtuArray vectors(const char* name, const char* unit,
   return interleaved<3>(name, unit, {"x", "y", "z"}, {&values[0], &values[1], &values[2]});
 }
 
-/// @param stress xx, yy, zz, yz, xz, xy
+/// Von Mises stress [Pa].
+/// @param stress components xx, yy, zz, yz, xz, xy, each per cell [Pa]
 VtuArray von_mises(const std::array<std::vector<double>, 6>& stress) {
   VtuArray result{"von_mises_stress", "Pa", {}, {}};
   for (std::size_t i = 0; i < stress[0].size(); ++i) {
@@ -136,7 +140,8 @@ std::vector<double> shifted(std::vector<double> places, double by) {
   return places;
 }
 
-/// Without what lies beyond the underside within its plan, as the corners about a ball.
+/// Surface of the slider's underside. Cells of the plan that the underside does not reach are left
+/// out, such as the corners around a ball.
 VtuGrid slider_of(const SkinSnapshot& snapshot, const SliderSurface& surface) {
   const auto beyond = [](double height) { return height >= shapes::unreachable_gap; };
   double highest = 0;
@@ -184,7 +189,7 @@ void write_skin(OutputFolder& folder, const Slider& slider, const std::string& s
   };
   write(layers_prefix, layers_of(snapshot.skin));
   write(contact_prefix, contact_of(snapshot));
-  // The part that touches is small beside a large slider.
+  // Samples at the edges of the contact cells resolve the contact under a much larger slider.
   write(slider_prefix,
         slider_of(snapshot, slider_surface(slider, shifted(snapshot.cell_x, -snapshot.centre[0]),
                                            shifted(snapshot.cell_y, -snapshot.centre[1]))));

@@ -25,7 +25,8 @@ fs::path pending_name(const fs::path& path) {
   return pending;
 }
 
-/// A name that a power cut must not take back. Not every file system can flush a folder.
+/// Flushes the folder of a file to disk, so that a power cut does not undo the renaming. Returns
+/// false, with errno set, on failure; a file system that cannot flush folders does not count.
 bool flush_folder(const fs::path& file) {
   const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
   const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
@@ -83,8 +84,9 @@ void PendingFile::commit() {
   }
 }
 
-/// Keeps the first failure and takes everything that comes after it, so that libraries which write
-/// to the stream do not end the program with errors of their own.
+/// Stream buffer that writes to a `PendingFile`. It stores the first failure and silently discards
+/// all later output, so that libraries which write to the stream do not end the program with errors
+/// of their own; `finish` throws the failure.
 class AtomicFile::Buffer : public std::streambuf {
 public:
   explicit Buffer(PendingFile& file) : file_(file) {

@@ -13,37 +13,40 @@
 
 namespace ionskin::base {
 
-/// Last part of the names of files that are being written; what bears it is ionskin's, and a killed
-/// program may leave it behind.
+/// Suffix of temporary files that are being written. Only ionskin uses it; a program that is killed
+/// may leave such a file behind.
 inline constexpr const char* pending_suffix = ".ionskin-pending";
 
-/// A file could not be written; the message names it and the remedy.
+/// Exception for a file that cannot be written; the message names the file, the reason and the
+/// remedy.
 class UnwritableFile : public UserError {
 public:
+  /// @param reason of the failure, from the system
   UnwritableFile(const std::filesystem::path& path, std::string reason);
-  const std::string& reason() const { return reason_; } ///< of the system, without the file's name
+  /// Reason of the failure, without the name of the file.
+  const std::string& reason() const { return reason_; }
 
 private:
   std::string reason_;
 };
 
-/// A file under a name of its own beside the final one: written there, flushed to the disk, then
-/// renamed, so that readers and a power cut see either the old file or the complete new one. A link
-/// under the final name is replaced, never followed. A file that is not committed is removed.
-/// Errors: UnwritableFile.
+/// File that is written atomically: under a temporary name in the same folder, then flushed to disk
+/// and renamed by `commit`. Readers, even after a power cut, see either the old file or the
+/// complete new one. A symbolic link under the final name is replaced, never followed. The
+/// destructor removes a file that was not committed. Throws UnwritableFile when writing fails.
 class PendingFile {
 public:
-  /// Makes the file, still empty.
+  /// Creates the empty temporary file.
   explicit PendingFile(std::filesystem::path final_path);
   ~PendingFile();
   PendingFile(const PendingFile&) = delete;
   PendingFile& operator=(const PendingFile&) = delete;
 
-  /// Where to write, for libraries that open the file themselves.
+  /// Path of the temporary file, for libraries that open and write it themselves.
   const std::filesystem::path& path() const { return pending_; }
-  /// Writes bytes behind those already written.
+  /// Appends bytes to the file.
   void write(std::span<const std::byte> bytes);
-  /// Flushes the file, gives it its final name and flushes the folder.
+  /// Flushes the file to disk, renames it to its final name and flushes the folder.
   void commit();
 
 private:
@@ -52,16 +55,17 @@ private:
   bool committed_ = false;
 };
 
-/// A text file that appears under its name only when `commit` is called.
+/// Output stream to a file that appears under its name, complete, only when `commit` is called.
 class AtomicFile {
 public:
-  /// Throws UnwritableFile when the file cannot be created.
+  /// Creates the temporary file. Throws UnwritableFile when it cannot be created.
   explicit AtomicFile(std::filesystem::path path);
   ~AtomicFile();
 
-  /// Never fails: `commit` reports the errors.
+  /// Stream to write to. It never reports failure: `commit` does.
   std::ostream& stream() { return stream_; }
-  /// Throws UnwritableFile when anything could not be written.
+  /// Flushes the stream and gives the file its final name. Throws UnwritableFile when anything
+  /// could not be written.
   void commit();
 
 private:
@@ -71,10 +75,11 @@ private:
   std::ostream stream_;
 };
 
-/// Writes a whole text file at once, atomically. Throws UnwritableFile.
+/// Writes a whole text file atomically. Throws UnwritableFile when it cannot be written.
 void write_text_file(const std::filesystem::path& path, std::string_view text);
 
-/// Removes the temporary files that killed writers left in a folder. Links are not followed.
+/// Removes the temporary files (`pending_suffix`) that killed programs left in a folder; does
+/// nothing if the folder does not exist. Links are neither followed nor removed.
 void remove_pending_files(const std::filesystem::path& folder);
 
 } // namespace ionskin::base

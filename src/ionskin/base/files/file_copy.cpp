@@ -58,7 +58,7 @@ bool same_content(const struct stat& a, const struct stat& b) {
          a.st_mtim.tv_nsec == b.st_mtim.tv_nsec;
 }
 
-/// Hands every block to `take` and returns the digest of all.
+/// Reads a file block by block, passes every block to `take` and returns the digest of all bytes.
 template <class Take>
 Digest read_through(const std::filesystem::path& path, const RegularFile& file, const Take& take) {
   DigestBuilder digest;

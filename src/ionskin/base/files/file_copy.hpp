@@ -9,15 +9,16 @@
 
 namespace ionskin::base {
 
-/// The bytes of a file, copied into memory under no name: what is read from the copy is what the
-/// digest stands for, whatever happens to the file meanwhile.
+/// Copy of a file in memory, without a name, and its digest. The copy stays as the digest says,
+/// whatever happens to the file in the meantime.
 class FileCopy {
 public:
-  /// Throws UserError when the file cannot be read, is not a regular file (a folder, pipe or device
-  /// is not waited for), is larger than half of the available memory or changes while it is copied.
+  /// Copies a file. Throws UserError when the file cannot be read, is not a regular file (it does
+  /// not wait for a pipe or device), is larger than half of the available memory, or changes while
+  /// it is copied.
   explicit FileCopy(const std::filesystem::path& path);
 
-  /// Descriptor of the copy, at its beginning; closed on exec.
+  /// File descriptor of the copy, positioned at its beginning; closed on exec and with this object.
   int descriptor() const { return descriptor_; }
   std::uint64_t bytes() const { return bytes_; }
   const Digest& digest() const { return digest_; }
@@ -28,7 +29,9 @@ private:
   Digest digest_;
 };
 
-/// The digest of a file's bytes. Throws UserError as FileCopy does, but for its size.
+/// Computes the digest of the bytes of a regular file of any size, equal to `FileCopy::digest`.
+/// Throws UserError when the file cannot be read, is not a regular file, or changes while it is
+/// read.
 Digest file_digest(const std::filesystem::path& path);
 
 } // namespace ionskin::base

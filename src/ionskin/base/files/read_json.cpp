@@ -6,7 +6,8 @@
 namespace ionskin::base {
 namespace {
 
-/// Builds the value as the library does, but stops at the first level that is too deep.
+/// Parser that builds a JSON value as the library does, but stops at the first level that is too
+/// deep.
 class BoundedParser : public nlohmann::detail::json_sax_dom_parser<Json> {
 public:
   using Base = nlohmann::detail::json_sax_dom_parser<Json>;

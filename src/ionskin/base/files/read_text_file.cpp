@@ -46,7 +46,7 @@ std::string read_text_file(const std::string& path, const std::string& what, std
   if (path.find('\0') != std::string::npos)
     throw UserError(fmt::format("the name of the {} file holds a zero byte: {}\n  = check its name",
                                 what, shown(path)));
-  // Opening a pipe would wait for its other end.
+  // Without O_NONBLOCK, opening a pipe would wait for its other end.
   return read_text_file(FileDescriptor(open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC)), path,
                         what, most);
 }
@@ -68,7 +68,7 @@ std::string read_text_file(const FileDescriptor& file, const std::string& path,
       return text;
     if (count > 0)
       text.append(block.data(), static_cast<std::size_t>(count));
-    require_size(text.size(), most, what, path); // files of /proc say 0
+    require_size(text.size(), most, what, path); // files of /proc report size 0
   }
 }
 

@@ -24,7 +24,7 @@ constexpr std::string_view mark = "\nionskin-seal ";
 constexpr std::size_t digits = 32;
 constexpr std::size_t seal_size = mark.size() + digits + 1 + digits + 1;
 
-/// A regular file, for reading.
+/// Open regular file, with its size; not readable if the path is a link or not a regular file.
 class InputFile {
 public:
   InputFile(const std::filesystem::path& path, int flags)
@@ -49,7 +49,8 @@ public:
   std::size_t size() const { return size_; }
   int descriptor() const { return descriptor_; }
 
-  /// @return false when the file has no such bytes
+  /// Reads bytes from a position of the file.
+  /// @return false when the file ends before or cannot be read
   bool read(std::size_t place, std::span<char> bytes) const {
     while (!bytes.empty()) {
       const ssize_t count =
@@ -62,7 +63,8 @@ public:
     }
     return true;
   }
-  /// Digest of the first `size` bytes and a text behind them.
+  /// Digest of the first `size` bytes followed by a text. Nothing (`nullopt`) when they cannot be
+  /// read.
   std::optional<Digest> digest(std::size_t size, std::string_view text) const {
     DigestBuilder builder;
     std::vector<char> block(std::min<std::size_t>(size, 1u << 20));
@@ -82,7 +84,8 @@ private:
   bool regular_ = false;
 };
 
-/// Nobody takes up what a build wrote that does not know itself.
+/// Digest of this build for the seal. A build whose digest is unknown writes dashes, which match no
+/// build, so its results are never reused.
 std::string build_text() {
   const auto& build = own_build();
   return build ? build->hex() : std::string(digits, '-');

@@ -8,24 +8,27 @@
 
 namespace ionskin::base {
 
-// A seal is a line behind the content of a file, with the build of the program that wrote it and
-// the digest of all bytes before. HDF5 does not look behind its own end, and drops the seal of a
-// file that it changes.
+// A seal is a line at the end of a file, with the build of the program that wrote the file and the
+// digest of all bytes before. It shows whether the file is complete and unchanged. HDF5 ignores
+// bytes behind its own end, and drops the seal of a file that it changes.
 
-/// Puts the seal of this build behind a complete file. Throws UnwritableFile.
+/// Appends the seal of this build to a complete file. Throws UnwritableFile when the file cannot be
+/// read or written.
 void seal(const std::filesystem::path& path);
 
-/// State in which a sealed file was found.
+/// Result of checking the seal of a file.
 enum class SealState {
   absent,      ///< there is no file
-  damaged,     ///< changed, cut short, or never sealed
-  other_build, ///< whole, but another build of the program wrote it
-  whole
+  damaged,     ///< changed, truncated, or never sealed
+  other_build, ///< unchanged, but written by another build of the program
+  whole        ///< unchanged since this build of the program wrote it
 };
+/// Reads a file and checks its seal. Links are not followed: a link counts as damaged.
 SealState check_seal(const std::filesystem::path& path);
 
-/// Digest of a file's bytes; nothing when it cannot be read or is not a regular file. A link is not
-/// followed.
+/// Digest of the bytes of a regular file, for comparison with other digests of this function only:
+/// it differs from `file_digest`. Nothing (`nullopt`) when the file cannot be read, is not a
+/// regular file, or is a link.
 std::optional<Digest> digest_if_readable(const std::filesystem::path& path);
 
 } // namespace ionskin::base

@@ -20,7 +20,7 @@ AvailableDisk available_disk(const std::filesystem::path& folder) {
     place = place.parent_path();
   }
   const std::filesystem::space_info space = std::filesystem::space(place, error);
-  // /proc and the like have no size: whether they can be written shows later.
+  // File systems such as /proc report no size; writing shows later whether they have room.
   const bool known = !error && space.capacity > 0;
   return {known ? static_cast<double>(space.available) : std::numeric_limits<double>::infinity(),
           "free below " + place.string()};

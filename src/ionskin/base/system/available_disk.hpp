@@ -6,15 +6,15 @@
 
 namespace ionskin::base {
 
-/// Bytes that files in a folder may take, and the limit that bounds them, in words.
+/// Disk space available to files in a folder, and what limits it.
 struct AvailableDisk {
   double bytes = 0;
-  std::string bound; ///< "free below DIR"
+  std::string bound; ///< description of the limit, for messages: "free below DIR"
 };
 
-/// Free disk space for this user in a folder, which need not exist yet; infinity where the system
-/// does not tell. $IONSKIN_DISK_LIMIT, such as "300 GB", takes its place. Throws UserError when
-/// that is not a number of bytes.
+/// Finds the free disk space for this user below a folder, which need not exist yet; infinity if
+/// the system does not report it. The environment variable IONSKIN_DISK_LIMIT, such as "300 GB",
+/// replaces the value. Throws UserError when the variable is not a size.
 AvailableDisk available_disk(const std::filesystem::path& folder);
 
 } // namespace ionskin::base

@@ -16,7 +16,8 @@ namespace {
 
 constexpr double unlimited = std::numeric_limits<double>::infinity();
 
-/// The number behind a name in a file of lines "name number"; kB where the file counts so.
+/// Number behind a name in a file of lines "name number", in the unit of the file. Nothing
+/// (`nullopt`) when the file or the name is missing.
 std::optional<double> field(const char* file, const std::string& name) {
   std::ifstream stream(file);
   std::string key;
@@ -39,8 +40,9 @@ double free_on_machine() {
   return kilobytes ? 1024 * *kilobytes : unlimited;
 }
 
-/// Version 2 of the control groups, then version 1, as a container sees its own. Pages of files are
-/// given up when memory is short.
+/// Memory that the limit of the control group leaves to this process [bytes]: version 2 of control
+/// groups, else version 1, at the paths that a container sees. Inactive pages of files count as
+/// free, because the system releases them when memory is short.
 double left_in_control_group() {
   struct Files {
     const char *limit, *usage, *statistics, *cached;

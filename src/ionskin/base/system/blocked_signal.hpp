@@ -5,10 +5,12 @@
 
 namespace ionskin::base {
 
-/// The calling thread is not given a signal while this lives; one sent meanwhile comes afterwards,
-/// or goes to a thread that takes it. Threads that are started meanwhile are never given it.
+/// Guard that blocks one signal in the calling thread while it lives. A signal sent to the process
+/// in the meantime goes to another thread that accepts it, or is delivered afterwards. Threads
+/// started in the meantime inherit the block for good.
 class BlockedSignal {
 public:
+  /// @param signal number of the signal, such as SIGTERM
   explicit BlockedSignal(int signal) {
     sigset_t blocked;
     sigemptyset(&blocked);

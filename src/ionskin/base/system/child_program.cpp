@@ -27,11 +27,12 @@ namespace {
 
 /// Descriptors of the child.
 constexpr int child_input = 0, child_file = 3, child_image = 4;
-/// Ours lie above them, so that none is overwritten on its way.
+/// Lowest descriptor of this process to pass on: above those of the child, so that none is
+/// overwritten while they are duplicated.
 constexpr int lowest_own = 10;
-/// Time between two looks at whether the user wants to stop [ms].
+/// Interval between checks for a request to stop [ms].
 constexpr int patience = 200;
-/// Time within which a child that has closed its end must have ended [ms].
+/// Time limit for a child that has closed its end to exit, before it is killed [ms].
 constexpr int farewell = 1000;
 
 [[noreturn]] void refuse(const std::string& name, int error) {
@@ -48,7 +49,7 @@ FileDescriptor above_own(int descriptor, const std::string& name) {
   return moved;
 }
 
-/// The executable as a file in memory; made once.
+/// Descriptor of a file in memory with the executable; created once per image.
 int image_file(std::string_view image, const std::string& name) {
   static std::mutex mutex;
   static std::map<const char*, FileDescriptor> files;
@@ -71,7 +72,7 @@ int image_file(std::string_view image, const std::string& name) {
   return files.emplace(image.data(), std::move(file)).first->second;
 }
 
-/// Settings of the new process.
+/// Settings of posix_spawn for the new process.
 class SpawnSettings {
 public:
   SpawnSettings() {
@@ -98,7 +99,8 @@ void give_descriptors(SpawnSettings& settings, int socket, int file, int image) 
   posix_spawn_file_actions_addclosefrom_np(&settings.actions, child_image + 1);
 }
 
-/// A group of its own, which Ctrl-C at the terminal does not reach, and ordinary signals.
+/// Puts the child into a process group of its own, which Ctrl-C at the terminal does not reach,
+/// with default signal handlers and no blocked signals.
 void give_signals(SpawnSettings& settings) {
   sigset_t none, all;
   sigemptyset(&none);
@@ -126,7 +128,8 @@ ChildProgram::ChildProgram(std::string_view image, const std::string& name,
   give_signals(settings);
   std::vector<std::string> texts{name};
   texts.insert(texts.end(), arguments.begin(), arguments.end());
-  // A wheel names the libraries beside the program: an image in memory has no place to search from.
+  // A wheel sets IONSKIN_LIBRARIES to the folder of its libraries, because an image in memory has
+  // no folder relative to which they could be found.
   const char* beside = std::getenv("IONSKIN_LIBRARIES");
   const char* libraries = beside != nullptr ? beside : std::getenv("LD_LIBRARY_PATH");
   std::string search = fmt::format("LD_LIBRARY_PATH={}", libraries == nullptr ? "" : libraries);
@@ -192,7 +195,7 @@ int ChildProgram::end() {
   }
   int status = 0;
   pid_t ended = 0;
-  // The end of the child says more than that of the socket: time for a crash to be recorded.
+  // If the child has closed its end, waits for it to exit, so that a crash shows as its signal.
   pollfd closed{socket_, POLLIN, 0};
   const bool gone = poll(&closed, 1, 0) > 0;
   for (int waited = 0; gone && waited < farewell && ended == 0; ++waited) {

@@ -11,32 +11,38 @@
 
 namespace ionskin::base {
 
-/// A program that this one carries in its own memory, run as a process apart: whatever happens
-/// there, this process goes on. Standard input of the child is a socket to this object, descriptor
-/// 3 the file that it is given; it has no other files, no output and, but for the search path of
-/// libraries, no environment. It is ended with this object. Works from processes with threads.
+/// Separate process that runs a program embedded in this one, so that a crash there does not affect
+/// this process. Standard input of the child is a socket connected to this object; its descriptor 3
+/// is a given file. The child has no other input, no output, and no environment except the search
+/// path of libraries. The destructor ends the child. Works in processes with several threads.
 class ChildProgram {
 public:
-  /// @param image the executable's bytes, which must outlive the process
-  /// @param arguments behind the program's name
-  /// @param file handed to the child
-  /// Throws UserError when the system refuses another process.
+  /// Starts the child.
+  /// @param image bytes of the executable, which must stay valid until this process ends
+  /// @param name of the program, for the system and for messages
+  /// @param arguments of the program, without its name
+  /// @param file descriptor that the child receives as descriptor 3
+  /// Throws UserError when the system cannot start another process.
   ChildProgram(std::string_view image, const std::string& name,
                const std::vector<std::string>& arguments, int file);
   ~ChildProgram();
   ChildProgram(const ChildProgram&) = delete;
   ChildProgram& operator=(const ChildProgram&) = delete;
 
+  /// Outcome of a transfer: complete, child has closed its end, or time limit reached.
   enum class Transfer { done, ended, late };
-  /// `ended` when the child has closed its end.
+  /// Sends bytes to the child, which reads them from its standard input; waits until all are sent.
+  /// Returns `ended` when the child has closed its end, else `done`.
+  /// @param count number of bytes
   Transfer send(const void* bytes, std::size_t count);
-  /// Receives so many bytes from the child; `ended` when it has closed its end, `late` when not all
-  /// of them have come in time.
-  /// @param seconds in which all of it must have come
-  /// Throws Interrupted when the user asks to stop meanwhile.
+  /// Receives bytes from the child. Returns `done` when all have arrived, `ended` when the child
+  /// has closed its end before, `late` when the time limit is over.
+  /// @param bytes buffer for `count` bytes
+  /// @param seconds time limit for all of them [s]
+  /// Throws Interrupted when the user asks to stop in the meantime.
   Transfer receive(void* bytes, std::size_t count, double seconds);
-  /// Ends the child, unless it has ended itself, and returns the signal that it ended by; 0 when it
-  /// ended by none or when that is not known.
+  /// Ends the child if it still runs. Returns the number of the signal that had ended it before; 0
+  /// when no signal had, or when it is not known.
   int end();
 
 private:

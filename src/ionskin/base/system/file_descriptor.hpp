@@ -6,7 +6,7 @@
 
 namespace ionskin::base {
 
-/// Owns one file descriptor; -1 is none.
+/// Owner of one file descriptor, which its destructor closes; -1 means that it owns none.
 class FileDescriptor {
 public:
   explicit FileDescriptor(int number = -1) : number_(number) {}

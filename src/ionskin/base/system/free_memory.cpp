@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/base/system/free_memory.hpp"
 
-#include <cstdlib> // defines __GLIBC__ where it is
+#include <cstdlib> // defines __GLIBC__ if the C library is glibc
 
 #if defined(__GLIBC__)
 #include <malloc.h>

@@ -3,8 +3,9 @@
 
 namespace ionskin::base {
 
-/// Gives the free parts of the heap back to the system. Without it they stay with the program
-/// wherever something later allocated lies above them: gigabytes after a large factorisation.
+/// Returns free memory of the heap to the system (glibc's `malloc_trim`; does nothing with other C
+/// libraries). Otherwise the process can keep gigabytes after a large factorisation, because later
+/// allocations lie above the freed blocks.
 void return_free_memory();
 
 } // namespace ionskin::base

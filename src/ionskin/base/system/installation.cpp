@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The folder that `own` is in the given place of, when that is so.
+/// Installation prefix, if the folder `own` is prefix/`place`; otherwise nothing (`nullopt`).
 std::optional<fs::path> prefix_of(const fs::path& own, const fs::path& place) {
   fs::path prefix = own;
   for (fs::path rest = place; !rest.empty(); rest = rest.parent_path()) {
@@ -41,13 +41,13 @@ Installation find() {
     }
   }
   const fs::path source = IONSKIN_SOURCE_FOLDER;
-  // There the solver for Python stands beside a link to the package.
+  // In the build tree, the solver for Python lies beside a link to the package.
   const fs::path built = own / "python";
   return {own / "ionskin-solver", source,
           fs::is_directory(built / "ionskin") ? built : source / "python"};
 }
 
-/// Value of a variable of the environment; empty where it is not set.
+/// Value of an environment variable; empty if it is not set.
 std::string variable(const char* name) {
   const char* value = std::getenv(name);
   return value == nullptr ? "" : value;
@@ -70,7 +70,7 @@ fs::path own_file() {
   Dl_info info{};
   link_map* map = nullptr;
   std::error_code error;
-  // The program itself has no name there, and the name it was called by may be anything.
+  // The program itself has an empty name there, and the name that it was called by may be anything.
   if (dladdr1(&anchor, &info, reinterpret_cast<void**>(&map), RTLD_DL_LINKMAP) != 0 &&
       map != nullptr && *map->l_name != '\0') {
     return fs::canonical(map->l_name, error);

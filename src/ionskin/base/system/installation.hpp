@@ -6,27 +6,27 @@
 
 namespace ionskin::base {
 
-/// Places of the parts of this copy of ionskin that are looked up when it runs. An installed copy
-/// may be moved as a whole: its parts are found relative to the program or library that asks. A
-/// program in its build tree uses the sources.
+/// Paths of the parts of this copy of ionskin that are needed at run time. Parts are found relative
+/// to the running program or library, so an installed copy may be moved as a whole. A program in
+/// its build tree uses the source folder.
 struct Installation {
-  std::filesystem::path solver; ///< the program that computes
+  std::filesystem::path solver; ///< program that runs the simulations
   std::filesystem::path data;   ///< folder with `cases` and `materials`
-  std::filesystem::path python; ///< folder to import the Python package from
+  std::filesystem::path python; ///< folder from which to import the Python package
 };
 
-/// Installation of the running copy, whatever the environment replaces.
+/// Paths of the running copy, found once; environment variables do not change them.
 const Installation& installation();
 
-/// Path of the Python interpreter that ionskin's Python package runs under: IONSKIN_PYTHON of the
-/// environment, as in a wheel, or the one that was there when ionskin was built.
+/// Path of the Python interpreter that runs ionskin's Python package: the environment variable
+/// IONSKIN_PYTHON, which a wheel sets, or else the interpreter found when ionskin was built.
 std::string python_interpreter();
 
-/// Folder to import the Python package from: IONSKIN_PYTHON_PATH of the environment, or that of the
-/// installation.
+/// Folder from which to import the Python package: the environment variable IONSKIN_PYTHON_PATH, or
+/// else `Installation::python`.
 std::filesystem::path python_package();
 
-/// The program, or the library that was loaded, that this code is part of.
+/// Path of the program or shared library that contains this code.
 std::filesystem::path own_file();
 
 } // namespace ionskin::base

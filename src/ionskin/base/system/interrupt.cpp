@@ -8,7 +8,7 @@
 namespace ionskin::base {
 namespace {
 
-// Set by a signal or a thread, read by others.
+// Request to stop: set by a signal handler or a thread, read by all threads.
 std::atomic<int> requested{0};
 static_assert(std::atomic<int>::is_always_lock_free);
 
@@ -29,7 +29,7 @@ extern "C" void on_signal_to_host(int) {
 void install_interrupt_handler() {
   std::signal(SIGINT, on_signal);
   std::signal(SIGTERM, on_signal);
-  // The terminal is gone; nohup has the run go on without one.
+  // SIGHUP: the terminal is gone. It stays ignored under nohup, so that the run continues.
   if (std::signal(SIGHUP, on_signal) == SIG_IGN) {
     std::signal(SIGHUP, SIG_IGN);
   }

@@ -5,18 +5,20 @@
 
 namespace ionskin::base {
 
-/// Turns SIGINT and SIGTERM into a request that `check_interrupt` honours. A second signal ends the
-/// process at once.
+/// Installs a handler that turns SIGINT, SIGTERM and SIGHUP (unless ignored, as by nohup) into a
+/// request to stop, which `check_interrupt` acts on. A second signal ends the process at once.
 void install_interrupt_handler();
 
-/// Asks to stop, as a signal does.
+/// Requests to stop, as a signal does.
 void request_interrupt();
 
-/// Interrupt handler for a host with signal handlers of its own: while this lives, SIGINT is a
-/// request to stop; then the host's handler is back and the request is forgotten. One at a time.
+/// Guard that handles SIGINT in a host program with signal handlers of its own, such as Python.
+/// While it lives, SIGINT is a request to stop; its destructor restores the host's handler and
+/// clears the request. Only one may live at a time.
 class InterruptScope {
 public:
-  /// @param take_signal false leaves SIGINT to the host; `request_interrupt` still counts
+  /// Clears an earlier request and installs the handler.
+  /// @param take_signal false to leave SIGINT to the host; `request_interrupt` still works
   explicit InterruptScope(bool take_signal);
   ~InterruptScope();
   InterruptScope(const InterruptScope&) = delete;
@@ -27,10 +29,10 @@ private:
   struct sigaction former_ {};
 };
 
-/// True once the user has asked to stop.
+/// True if a stop has been requested.
 bool interrupt_requested();
 
-/// Call between units of work. Throws `Interrupted` once the user has asked to stop.
+/// Throws `Interrupted` if a stop has been requested. Solvers call it between units of work.
 void check_interrupt();
 
 } // namespace ionskin::base

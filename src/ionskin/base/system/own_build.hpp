@@ -8,10 +8,12 @@
 
 namespace ionskin::base {
 
-/// Stands for a program by the content of its file; nothing when it cannot be read.
+/// Computes the digest of the file of a program, which identifies its build. Nothing (`nullopt`)
+/// when the file cannot be read.
 std::optional<Digest> build_digest(const std::filesystem::path& program);
 
-/// Digest of the running program or module, so that no build takes up what another computed.
+/// Digest of the running program or Python module, computed once. Stored results carry it, so that
+/// no build reuses results of another. Nothing (`nullopt`) when the file cannot be read.
 const std::optional<Digest>& own_build();
 
 } // namespace ionskin::base

@@ -14,7 +14,8 @@
 namespace ionskin::laws {
 namespace {
 
-/// A law that gives the ratio of one place, or of the whole core, or none.
+/// Function of a law that has either `ratio` (cf / c0 at one node) or `apply` (cf / c0 of the whole
+/// core); an empty function if it has neither.
 template <class Law> Coupling coupling_with(double coefficient, const LawValues& values) {
   const Law law = law_with<Law>(coefficient, values);
   if constexpr (requires { law.ratio(0.0); }) {

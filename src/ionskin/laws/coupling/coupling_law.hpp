@@ -11,41 +11,48 @@
 
 namespace ionskin::laws {
 
-/// The core as a coupling law sees it: nodes in levels, [level][column], and the share of each
-/// level's control volume in a column.
+/// Ion grid of the core as a coupling law sees it: nodes in z levels of lateral columns of equal
+/// area, with fields as [level][column].
 struct CoreLayout {
   std::size_t columns = 0, levels = 0;
-  std::span<const double> height; ///< of the control volumes [levels]; they add up to `thickness`
-  double thickness = 0;
+  /// Heights of the control volumes [levels], which add up to `thickness`; only their ratio to it
+  /// counts.
+  std::span<const double> height;
+  double thickness = 0; ///< thickness of the core, in the unit of `height`
 };
 
-/// Fixed charge from shear: `ratio` receives cf / c0 per node [1]. Empty where shear leaves the
-/// fixed charge as it is.
+/// Function that computes the fixed charge from the shear: `ratio` receives cf / c0 at each node
+/// [level][column] [1] for the `shear` gamma [level][column] [1]. An empty function means that
+/// shear does not change the fixed charge.
 using Coupling = std::function<void(const CoreLayout& core, std::span<const double> shear,
                                     std::span<double> ratio)>;
 
-/// Traits of a law: what it does to the charge of the core.
+/// Properties of a coupling law on which the ion transport solver depends.
 struct CouplingTraits {
-  bool makes_net_charge = false; ///< the core's charge changes with the shear
-  /// The net charge is F c0 k integral(gamma): Gauss' law can be audited against the shear.
+  bool makes_net_charge = false; ///< shear changes the net charge of the core
+  /// True if the net charge is F c0 k integral(gamma), so that Gauss' law can be audited against
+  /// the shear.
   bool net_charge_is_linear = false;
-  bool releases_ions = false; ///< a mobile ion comes with every fixed charge
-  /// Moves water, which drives the cations beside the potential (poroelasticity/streaming_drive).
+  bool releases_ions = false; ///< every fixed charge that shear makes comes with a mobile ion
+  /// True if water moves, which drives the cations in addition to the electric potential
+  /// (poroelasticity/streaming_drive.hpp).
   bool moves_water = false;
 };
 
 /// One row of the table of coupling laws.
 struct CouplingLaw {
-  std::string_view name; ///< value of `coupling.law`
+  std::string_view name; ///< value of the key `coupling.law`
   CouplingTraits traits;
-  std::span<const LawParameter> parameters;
+  std::span<const LawParameter> parameters; ///< parameters of its own, beside the coefficient
+  /// Creates the law's function from the coupling coefficient k [1] and its own parameters.
   Coupling (*with)(double coefficient, const LawValues& values);
 };
 
-/// All laws; the first is the default of a case.
+/// Table of all coupling laws; the first is the default of a case.
 std::span<const CouplingLaw> coupling_laws();
 
-/// The law of a name that the schema has checked.
+/// Finds a coupling law by its name. Throws InternalError for an unknown name, which the schema has
+/// excluded.
 const CouplingLaw& coupling_law(std::string_view name);
 
 } // namespace ionskin::laws

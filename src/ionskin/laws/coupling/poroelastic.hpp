@@ -5,10 +5,11 @@
 
 namespace ionskin::laws {
 
-/// Coupling law `poroelastic`: pressure moves water, which drags the cations, by the constants of
-/// [water]; the fixed charge stays as it is and nothing is fitted (poroelasticity/streaming_drive).
+/// Coupling law `poroelastic`: pressure moves water, and water drags the cations,
+/// docs/model.md (22), (23). The fixed charge does not change, and no coefficient is fitted: the
+/// constants are the keys `water.NAME` of the case (poroelasticity/streaming_drive.hpp).
 struct Poroelastic {
-  double coefficient = 0; ///< without a meaning
+  double coefficient = 0; ///< not used; every coupling law has this member
 
   static constexpr CouplingTraits traits{.moves_water = true};
   static constexpr auto parameters() { return no_parameters<Poroelastic>; }

@@ -7,11 +7,11 @@
 
 namespace ionskin::laws {
 
-/// Faces that stick to each other along the normal by a cohesive zone, and Coulomb's law on the
-/// pressing part of their normal traction: |t| <= mu max(p, 0), where p < 0 is a pull. Friction on
-/// the compression alone as in cohesive models with friction (Raous, Cangemi and Cocou 1999,
-/// doi 10.1016/S0045-7825(98)00389-2, at rest of the bond). On a sphere its pull-off force tends to
-/// that of Johnson, Kendall and Roberts 1971, doi 10.1098/rspa.1971.0141, as the strength grows.
+/// Friction law `adhesive`: adhesion along the normal by a cohesive zone, with Coulomb friction in
+/// compression only: |t| <= mu max(p, 0), where p < 0 is tension. Cohesive models with friction
+/// have the same limit (Raous, Cangemi and Cocou 1999, doi 10.1016/S0045-7825(98)00389-2, while
+/// the bond is at rest). As the strength grows, the pull-off force of a sphere tends to the value
+/// of Johnson, Kendall and Roberts 1971, doi 10.1098/rspa.1971.0141.
 struct AdhesiveFriction {
   double coefficient = 0;       ///< mu [1]
   double work_of_adhesion = 0;  ///< w [J/m2]
@@ -36,8 +36,9 @@ struct AdhesiveFriction {
   }
   /// Largest tangential traction [Pa]; 0 in tension.
   double limit(const FrictionArguments& at) const;
-  /// Derivative of the limit by the normal traction [1].
+  /// Derivative of the limit with respect to the normal traction [1].
   double limit_slope(const FrictionArguments& at) const;
+  /// Cohesive zone with the given strength and work of adhesion.
   CohesiveZone adhesion() const {
     return {cohesive_strength, 2 * work_of_adhesion / cohesive_strength};
   }

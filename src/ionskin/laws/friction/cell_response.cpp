@@ -6,8 +6,8 @@
 namespace ionskin::laws {
 namespace {
 
-/// Friction of a cell that slides along a direction, whatever its own slip, as all do in steady
-/// sliding.
+/// Friction of a cell in steady sliding: it slips along the given direction, whatever its trial
+/// force.
 FrictionResponse sliding_friction(const Friction& friction, const CellTrial& trial,
                                   double normal_force) {
   const FrictionArguments at{normal_force / trial.area, 0, trial.time_step, trial.lagged_speed};
@@ -51,7 +51,7 @@ CellResponse cell_response(const Friction& friction, const CellTrial& trial) {
     return response;
   }
   const double softening = trial.pull_slope * trial.normal_compliance;
-  // Beyond the range nothing pulls, and with a softening of 1 no opening balances the pull.
+  // Adhesion ends at its range, and with a softening of 1 or more no opening balances it.
   if (trial.pull == 0 || softening >= 1 || softening * trial.normal <= -trial.pull) {
     return response;
   }

@@ -9,46 +9,55 @@ namespace ionskin::laws {
 
 using TangentialVector = std::array<double, 2>;
 
-/// Elastic slip of one cell between two steps, under a law with an elastic slip: the slip that is
-/// given back when the traction goes, and the limit of full slip under which it was made.
+/// State variable of a contact cell under a friction law with elastic slip: the part of the slip
+/// that springs back when the traction vanishes, and the friction limit at the end of the step that
+/// made it.
 struct ElasticSlip {
-  TangentialVector slip{}; ///< [m]
-  double limit = 0;        ///< [Pa]
+  TangentialVector slip{}; ///< elastic slip along x and y [m]
+  double limit = 0;        ///< traction limit in full slip, mu p [Pa]
 };
 
-/// Update of an elastic slip by the slip of a step, docs/model.md (45): `kept` times the first and
-/// `taken` times the second. Where the limit rises, what begins to bear is not strained yet, and
-/// the traction stays; where it falls, the slip stays, and what lets go takes its share of the
-/// traction along. Neither adds to the energy stored. The slip of the step comes while the limit
-/// rises, and half of what begins to bear takes it up: no step creates energy:
-/// docs/model.md (46), (47).
+/// Coefficients that update the elastic slip over one step, docs/model.md (45):
+///   elastic slip after = `kept` * elastic slip before + `taken` * slip of the step,
+/// cut to the length `Friction::elastic_slip`. The tangential stiffness is the limit over that
+/// length, so it changes with pressure. Where the limit rises, newly loaded contact is unstrained
+/// and the traction is kept; where it falls, the elastic slip is kept and the released contact
+/// loses its share of the traction. The mean of both stiffnesses resists the slip of the step. So
+/// no step creates energy: docs/model.md (46), (47).
 struct ElasticStep {
-  double limit = 0;          ///< of full slip behind the step [Pa]
-  double kept = 1;           ///< [1]
-  double taken = 1;          ///< [1]
-  double kept_by_normal = 0; ///< derivative of `kept` by the normal traction, twice that of `taken`
+  double limit = 0; ///< traction limit in full slip at the end of the step [Pa]
+  double kept = 1;  ///< factor of the elastic slip before the step [1]
+  double taken = 1; ///< factor of the slip of the step [1]
+  /// Derivative of `kept` with respect to the normal traction, twice the derivative of `taken`
+  /// [1/Pa].
+  double kept_by_normal = 0;
 };
 
-/// Change of the elastic slip and of the limit over a step.
-/// @param at its slip increment is of no account
+/// Computes the update coefficients of the elastic slip for one step.
+/// @param before elastic slip at the start of the step
+/// @param at arguments at the end of the step; the slip increment is ignored
 ElasticStep elastic_step(const Friction& friction, const ElasticSlip& before,
                          const FrictionArguments& at);
 
-/// The slip that the limit sees behind a step: that of the step itself, or with what is elastic of
-/// it before [m].
+/// Slip on which the friction limit depends at the end of a step [m]: the slip of the step, or
+/// under a law with elastic slip the updated elastic slip before it is cut to
+/// `Friction::elastic_slip`.
+/// @param slip of the step, along x and y [m]
 TangentialVector slip_of_limit(const Friction& friction, const ElasticSlip& before,
                                const FrictionArguments& at, const TangentialVector& slip);
 
-/// Division of a step's slip: the elastic slip, and the length of the slip that is not given back
-/// [m].
+/// Slip of a step, divided into an elastic and an irreversible part.
 struct SlipDivision {
-  ElasticSlip elastic;
-  double lost = 0;
+  ElasticSlip elastic; ///< elastic slip after the step; 0 without compression
+  double lost = 0;     ///< length of the irreversible slip of the step [m]
 };
+/// Divides the slip of a step into its elastic and its irreversible part.
+/// @param before elastic slip at the start of the step
+/// @param slip of the step, along x and y [m]
 SlipDivision divided_slip(const Friction& friction, const ElasticSlip& before,
                           const FrictionArguments& at, const TangentialVector& slip);
 
-/// Energy that an elastic slip stores [J/m2].
+/// Energy per area stored in an elastic slip [J/m2].
 double stored_energy(const Friction& friction, const ElasticSlip& elastic);
 
 } // namespace ionskin::laws

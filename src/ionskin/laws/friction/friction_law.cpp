@@ -15,7 +15,7 @@
 namespace ionskin::laws {
 namespace {
 
-// The members of a law show which parts it has beside its limit.
+// The member functions that a law has show which features it has beside its limit.
 template <class Law>
 concept HasSlipSlope = requires(const Law& law, const FrictionArguments& at) {
   law.limit_slip_slope(at);

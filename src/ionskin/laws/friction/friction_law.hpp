@@ -12,55 +12,61 @@
 
 namespace ionskin::laws {
 
-/// Arguments on which a friction law may depend at one cell over one step. In steady sliding, the
-/// limit of long sliding, slip increment and time step are both 0: a law in their quotient must say
-/// there what it tends to.
+/// Arguments of a friction law: state of one contact cell over one step. In steady sliding both
+/// slip increment and time step are 0, so a law that depends on their quotient (the slip speed)
+/// must return its limit for long sliding at a time step of 0.
 struct FrictionArguments {
   double normal_traction = 0; ///< compression positive [Pa]
-  /// Length of the relative sliding in the step [m]; where the law has an elastic slip, with what
-  /// is kept of that of the steps before (elastic_slip.hpp).
+  /// Length of the slip in the step; under a law with elastic slip, length of the updated elastic
+  /// slip, which includes the kept part of earlier steps (elastic_slip.hpp) [m].
   double slip_increment = 0;
-  double time_step = 0;    ///< [s]
-  double lagged_speed = 0; ///< of the sliding, as it was `lag` ago [m/s]
+  double time_step = 0; ///< duration of the step [s]
+  /// Slip speed that follows the true one with the time constant `Friction::lag` [m/s].
+  double lagged_speed = 0;
 };
 
+/// Friction limit of a frictionless contact: 0 for all arguments [Pa].
 inline double frictionless(const FrictionArguments&) {
   return 0;
 }
 
-/// A law with its coefficient and parameters: the largest tangential traction [Pa] and its
-/// derivatives. Without a coefficient there is no friction under any law.
+/// Friction law with its coefficient and parameters filled in: the largest tangential traction (the
+/// limit) and its derivatives. With a coefficient of 0 every law is frictionless.
 struct Friction {
-  std::string_view law = "coulomb";
-  double coefficient = 0; ///< mu [1]
+  std::string_view law = "coulomb"; ///< value of the key `contact.law`
+  double coefficient = 0;           ///< mu [1]
+  /// Largest tangential traction [Pa]; along x where friction is anisotropic.
   std::function<double(const FrictionArguments& at)> limit = frictionless;
-  std::function<double(const FrictionArguments& at)> limit_slope =
-      frictionless; ///< by the normal traction [1]
-  std::function<double(const FrictionArguments& at)> limit_slip_slope =
-      frictionless;            ///< by the slip increment [Pa/m]
-  bool slip_dependent = false; ///< true if it is ever other than 0
-  double across = 1;           ///< limit along y over that along x; the limits form an ellipse
-  double elastic_slip = 0;     ///< the slip that is given back when the traction goes [m]
-  double lag = 0;              ///< time constant with which the lagged speed follows the speed [s]
-  bool rate_dependent = false; ///< traction changes while the slider rests
-  CohesiveZone adhesion;       ///< pull along the normal, with or without a coefficient
+  /// Derivative of the limit with respect to the normal traction [1].
+  std::function<double(const FrictionArguments& at)> limit_slope = frictionless;
+  /// Derivative of the limit with respect to the slip increment [Pa/m].
+  std::function<double(const FrictionArguments& at)> limit_slip_slope = frictionless;
+  bool slip_dependent = false; ///< true if `limit_slip_slope` may differ from 0
+  double across = 1;           ///< ratio of the limit along y to the limit along x (ellipse) [1]
+  double elastic_slip = 0;     ///< largest elastic slip of a cell [m]; 0: law without elastic slip
+  double lag = 0;              ///< time constant of the lagged slip speed [s]; 0: no lag
+  bool rate_dependent = false; ///< true if traction changes with time while the slider rests
+  CohesiveZone adhesion;       ///< adhesion along the normal, also with a coefficient of 0
 };
 
 /// One row of the table of friction laws.
 struct FrictionLaw {
-  std::string_view name; ///< value of `contact.law`
-  std::span<const LawParameter> parameters;
-  bool adheres = false; ///< true if it pulls along the normal
+  std::string_view name;                    ///< value of the key `contact.law`
+  std::span<const LawParameter> parameters; ///< parameters of its own, beside the coefficient
+  bool adheres = false;                     ///< true if the law has adhesion along the normal
+  /// Creates the law from the friction coefficient mu [1] and its own parameters.
   Friction (*with)(double coefficient, const LawValues& values);
 };
 
-/// All laws; the first is the default of a case.
+/// Table of all friction laws; the first is the default of a case.
 std::span<const FrictionLaw> friction_laws();
 
-/// The row of a name that the schema has checked.
+/// Finds the row of a friction law by its name. Throws InternalError for an unknown name, which the
+/// schema has excluded.
 const FrictionLaw& friction_law(std::string_view name);
 
-/// The law of a name that the schema has checked, with its coefficient and parameters.
+/// Creates a friction law by its name, with its coefficient mu [1] and its own parameters. Throws
+/// InternalError for an unknown name.
 Friction friction(std::string_view law, double coefficient, const LawValues& values);
 
 } // namespace ionskin::laws

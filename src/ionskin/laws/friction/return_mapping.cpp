@@ -15,8 +15,9 @@ FrictionArguments arguments(const FrictionTrial& trial, double slip) {
   return {trial.normal_traction, slip, trial.time_step, trial.lagged_speed};
 }
 
-/// Length r of the traction with r = limit(compliance (length - r)), docs/model.md (6): Newton
-/// within a bracket.
+/// Solves r = limit(compliance * (length - r)) for the length r of the traction, docs/model.md (6),
+/// by Newton's method safeguarded by bisection [Pa].
+/// @param length of the trial traction [Pa]
 double returned_length(const Friction& friction, const FrictionTrial& trial, double length) {
   double low = 0, high = length;
   double r = std::min(length, friction.limit(arguments(trial, trial.compliance * length)));
@@ -33,7 +34,10 @@ double returned_length(const Friction& friction, const FrictionTrial& trial, dou
   return r;
 }
 
-/// The limit is the same in all directions: the trial is shortened. Derivatives: docs/model.md (7).
+/// Return mapping for a limit that is the same in all directions: the trial traction is scaled to
+/// the length `shortened`. Derivatives: docs/model.md (7).
+/// @param length of the trial traction [Pa]
+/// @param shortened length of the resulting traction [Pa]
 FrictionResponse returned_radially(const Friction& friction, const FrictionTrial& trial,
                                    double length, double shortened) {
   const TangentialVector e =
@@ -56,8 +60,9 @@ FrictionResponse returned_radially(const Friction& friction, const FrictionTrial
   return response;
 }
 
-/// Nearest point of an ellipse to a point outside: t_i = z_i a_i^2 / (a_i^2 + m), with the m that
-/// brings it onto the ellipse.
+/// Multiplier m of the projection of a point z outside an ellipse to the nearest point t of the
+/// ellipse: t_i = z_i a_i^2 / (a_i^2 + m).
+/// @param axes semi-axes a_i of the ellipse
 double ellipse_multiplier(const TangentialVector& z, const TangentialVector& axes) {
   double m = 0;
   for (std::size_t i = 0; i < 2; ++i) {
@@ -70,7 +75,7 @@ double ellipse_multiplier(const TangentialVector& z, const TangentialVector& axe
       square += part * part;
       slope += part * part / below;
     }
-    // Newton for the inverse of the root, which is nearly linear in m and concave.
+    // Newton's method for 1 / sqrt(square) = 1, whose left side is nearly linear in m and concave.
     const double step = (std::sqrt(square) - 1) * square / slope;
     m += step;
     if (!(std::abs(step) > tolerance * m)) {
@@ -80,7 +85,9 @@ double ellipse_multiplier(const TangentialVector& z, const TangentialVector& axe
   return m;
 }
 
-/// The limits form an ellipse: the nearest point of it, so that slip is normal to it.
+/// Return mapping for limits that form an ellipse: the nearest point of the ellipse, so that slip
+/// is normal to it. A trial traction inside is scaled to the ellipse.
+/// @param limit semi-axis of the ellipse along x [Pa]
 FrictionResponse returned_to_ellipse(const Friction& friction, const FrictionTrial& trial,
                                      double limit) {
   const FrictionArguments at = arguments(trial, 0);
@@ -119,7 +126,7 @@ FrictionResponse returned_to_ellipse(const Friction& friction, const FrictionTri
                                 response.traction[r] / below * by_trial_of_m[s] / divisor;
       moved += response.by_trial[r][s] * z[s];
     }
-    // Trial and limit together only scale the traction.
+    // Scaling trial and limit by one factor scales the traction by the same factor.
     response.by_normal[r] = slope * (response.traction[r] - moved) / limit;
   }
   return response;
@@ -161,8 +168,9 @@ FrictionResponse return_mapping(const Friction& friction, const FrictionTrial& t
   if (friction.elastic_slip == 0) {
     return returned(friction, trial, slips);
   }
-  // The slip of the limit, docs/model.md (45), is that of a compliance `taken` times as large from
-  // a trial that is larger by what is kept of the elastic slip; both follow the normal traction.
+  // The updated elastic slip, docs/model.md (45), equals the slip of a cell whose compliance is
+  // `taken` times as large and whose trial traction is larger by the kept elastic slip over that
+  // compliance. Both changes depend on the normal traction.
   const ElasticStep step = elastic_step(friction, trial.elastic, arguments(trial, 0));
   FrictionTrial whole = trial;
   whole.compliance *= step.taken;

@@ -10,7 +10,7 @@ double SaturatingFriction::limit(const FrictionArguments& at) const {
     return 0.0;
   }
   const double sliding = coefficient * at.normal_traction;
-  if (sliding > strength) { // the power of the smaller one does not overflow
+  if (sliding > strength) { // the power of a ratio below 1 does not overflow
     return strength / std::pow(1 + std::pow(strength / sliding, sharpness), 1 / sharpness);
   }
   return sliding / std::pow(1 + std::pow(sliding / strength, sharpness), 1 / sharpness);

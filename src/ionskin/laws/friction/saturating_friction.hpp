@@ -7,10 +7,10 @@
 
 namespace ionskin::laws {
 
-/// Friction that saturates: |t| <= mu p / (1 + (mu p / s)^n)^(1/n), Coulomb's law at low normal
-/// traction p and the shear strength s of the interface at high. Between them a smooth passage, as
-/// sharp as n is large; n to infinity is min(mu p, s) (Shaw 1963, Int. J. Mech. Sci. 5; the limit
-/// shear stress of contact codes).
+/// Friction law `saturating`: |t| <= mu p / (1 + (mu p / s)^n)^(1/n), which is Coulomb's law at low
+/// normal traction p, and the shear strength s of the interface at high p. The transition is
+/// smooth, and sharper for larger n; as n tends to infinity the limit tends to min(mu p, s) (Shaw
+/// 1963, Int. J. Mech. Sci. 5; the limit shear stress of contact codes).
 struct SaturatingFriction {
   double coefficient = 0; ///< mu [1]
   double strength = 0;    ///< s [Pa]
@@ -34,7 +34,7 @@ struct SaturatingFriction {
   }
   /// Largest tangential traction [Pa]; 0 in tension.
   double limit(const FrictionArguments& at) const;
-  /// Derivative of the limit by the normal traction [1].
+  /// Derivative of the limit with respect to the normal traction [1].
   double limit_slope(const FrictionArguments& at) const;
 };
 

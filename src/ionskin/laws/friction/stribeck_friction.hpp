@@ -7,12 +7,13 @@
 
 namespace ionskin::laws {
 
-/// Static and kinetic friction: |t| <= (mu_k + (mu - mu_k) exp(-(v / v_s)^2)) p, from the static
-/// coefficient mu at rest to the kinetic one mu_k well above the Stribeck speed v_s (Bo and
-/// Pavelescu 1982, Wear 82). Friction follows the speed v with a lag: dv/dt = (v_slip - v) / T, the
-/// frictional memory of Armstrong-Helouvry, Dupont and Canudas de Wit 1994,
-/// doi 10.1016/0005-1098(94)90209-7. Without it, friction that falls with speed would have no
-/// solution that steps of time converge to in a skin without mass.
+/// Friction law `stribeck`, static and kinetic friction:
+///   |t| <= (mu_k + (mu - mu_k) exp(-(v / v_s)^2)) p,
+/// with the static coefficient mu at rest and the kinetic coefficient mu_k well above the Stribeck
+/// speed v_s (Bo and Pavelescu 1982, Wear 82). The speed v follows the slip speed with a lag,
+/// dv/dt = (v_slip - v) / T, the frictional memory of Armstrong-Helouvry, Dupont and Canudas de Wit
+/// 1994, doi 10.1016/0005-1098(94)90209-7. Without the lag, friction that falls with speed would
+/// have no solution to which time steps converge, as the skin has no mass.
 struct StribeckFriction {
   double coefficient = 0;      ///< mu, static [1]
   double kinetic_friction = 0; ///< mu_k [1]
@@ -48,8 +49,9 @@ struct StribeckFriction {
   }
   /// Largest tangential traction [Pa]; 0 in tension.
   double limit(const FrictionArguments& at) const;
-  /// Derivative of the limit by the normal traction [1].
+  /// Derivative of the limit with respect to the normal traction [1].
   double limit_slope(const FrictionArguments& at) const;
+  /// Time constant of the lagged speed, T [s].
   double lag() const { return lag_time; }
 };
 

@@ -43,7 +43,7 @@ std::vector<double> evaluate_shear(const ShearMeasure& measure,
   for (std::size_t i = 0; i < points; ++i) {
     std::array<double, 6> strain{};
     for (std::size_t c = 0; c < strain.size(); ++c) {
-      // A measure that reads what nobody computed is found by its result.
+      // A measure that reads a component which was not computed gives NaN.
       strain[c] = component[c].empty() ? std::numeric_limits<double>::quiet_NaN() : component[c][i];
     }
     shear[i] = measure.at(strain);

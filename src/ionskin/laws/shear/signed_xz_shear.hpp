@@ -5,16 +5,17 @@
 
 namespace ionskin::laws {
 
-/// Engineering shear between the skin's length and its thickness, with its sign, docs/model.md
-/// (10):
+/// Shear measure `signed-xz`, the engineering shear strain in the plane of length (x) and thickness
+/// (z), with its sign, docs/model.md (10):
 ///   gamma = 2 exz = du_x/dz + du_z/dx.
-/// Positive where the upper side is dragged towards +x. It is linear in the strain, tells forth
-/// from back, keeps its sign under a reflection in y and changes it under one in x.
+/// It is positive where the upper side is dragged towards +x. It is linear in the strain,
+/// distinguishes sliding along +x from sliding along -x, and changes sign under a reflection in x
+/// but not in y.
 struct SignedXzShear {
   static constexpr const char* formula = "2 exz with its sign";
   static constexpr std::array<bool, 6> reads{false, false, false, false, true, false};
-  /// The measure of a strain [1].
-  /// @param strain xx, yy, zz, yz, xz, xy [1]
+  /// Computes gamma [1] from a strain.
+  /// @param strain tensor components xx, yy, zz, yz, xz, xy [1]
   static double at(const std::array<double, 6>& strain);
 };
 

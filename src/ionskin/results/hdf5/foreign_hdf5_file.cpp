@@ -15,12 +15,14 @@ namespace {
 using Transfer = base::ChildProgram::Transfer;
 
 constexpr const char* reader_name = "ionskin-hdf5-reader";
-/// Longest lists of names and texts [bytes].
+/// Largest size of a text, or of a list of names or texts [bytes].
 constexpr std::uint64_t most_text = 256'000'000;
-/// Other programs may keep the processor from the reader; what hangs does not compute.
+/// Time to start the reader [s], and the least share of a processor that it gets beside other
+/// programs [1]. Both make up the time limit of an answer.
 constexpr double start_seconds = 20, share_of_processor = 0.25;
 
-/// Product of extents times the size of a number, without overflow [bytes].
+/// Size of an array of doubles [bytes]; a floating-point number, so that it cannot overflow.
+/// @param from first dimension that counts; 1 for the size of one frame
 double bytes_of(const Hdf5File::Shape& shape, std::size_t from = 0) {
   double bytes = sizeof(double);
   for (std::size_t i = from; i < shape.size(); ++i) {

@@ -14,42 +14,46 @@
 
 namespace ionskin::results {
 
-/// An HDF5 file that a user gives, or that anybody may have changed since it was written. The HDF5
-/// library crashes and loops on damaged files; so a process apart reads it, with bounds on memory
-/// and time, and only names, texts and numbers come back. Answers as Hdf5File does; values that
-/// stand in other files are refused.
+/// Reader of an HDF5 file that is not trusted: a user supplied it, or someone may have changed it
+/// since it was written. The HDF5 library can crash or loop forever on damaged files, so a separate
+/// process with bounded memory and time reads the file, and only names, texts and numbers come
+/// back. The member functions return the same as those of `Hdf5File`; values stored in other files
+/// are refused.
 ///
-/// Errors: UserError naming the file and the object, as of Hdf5File; also when the file is no
+/// Errors: UserError naming the file and the object, as for `Hdf5File`; also when the file is not a
 /// regular file, damage crashes the library or keeps it busy without end, or an array is larger
-/// than half of the available memory, judged before any of it is read.
+/// than half of the available memory (checked before any of it is read).
 class ForeignHdf5File {
 public:
   using Shape = Hdf5File::Shape;
 
+  /// Copies the file into memory and starts the process that reads the copy.
   explicit ForeignHdf5File(const std::filesystem::path& path);
 
   const std::filesystem::path& path() const { return path_; }
-  /// Digest of the bytes that are read.
+  /// Digest of the bytes of the copy, from which all values are read.
   const base::Digest& digest() const { return copy_.digest(); }
 
   bool has(const std::string& object) const;
   bool has_numbers(const std::string& object) const;
   std::vector<std::string> members(const std::string& group) const;
   Shape shape(const std::string& dataset) const;
-  /// Opens every object, so that a file which is written on has no damage of its structure.
+  /// Opens every object of the file, to find damage of its structure before the file is written to.
   void require_plain() const;
   std::vector<double> read(const std::string& dataset) const;
   std::string read_text(const std::string& dataset) const;
   std::vector<std::string> read_texts(const std::string& dataset) const;
-  /// Reads one frame of a dataset that was written frame by frame.
-  /// @param values is resized to one frame
+  /// Reads one frame: all values at one index of the first dimension of a dataset.
+  /// @param values receives the frame, row-major over the other dimensions; resized
   void read_frame(const std::string& dataset, std::size_t frame, std::vector<double>& values) const;
   std::optional<std::string> text_attribute(const std::string& object,
                                             const std::string& name) const;
   std::optional<double> number_attribute(const std::string& object, const std::string& name) const;
 
 private:
-  /// The size of the object that was found, which is then received; none where nothing was found.
+  /// Sends a question to the reading process and receives the header of its answer. Returns the
+  /// size of the content, to be received next [bytes]; nothing (`nullopt`) when an attribute does
+  /// not exist.
   std::optional<std::uint64_t> ask(Hdf5Question question, const std::string& object,
                                    const std::string& name = "", std::uint64_t expected_bytes = 0,
                                    std::uint64_t frame = 0) const;
@@ -65,7 +69,7 @@ private:
   std::filesystem::path path_;
   base::FileCopy copy_;
   mutable base::ChildProgram reader_;
-  mutable double seconds_ = 0; ///< time that the answer may take [s]
+  mutable double seconds_ = 0; ///< time limit of the current answer [s]
 };
 
 } // namespace ionskin::results

@@ -45,7 +45,8 @@ void require_readable(const std::filesystem::path& path) {
   }
 }
 
-/// The library crashes where there is no memory for the cache of a file that it opens.
+/// Throws std::bad_alloc when there is too little memory for the cache of a file, because the HDF5
+/// library crashes in that case.
 void require_cache_memory() {
   constexpr std::size_t cache_bytes = 1u << 20;
   void* volatile room = std::malloc(cache_bytes);
@@ -65,7 +66,8 @@ hid_t open_file(const std::filesystem::path& path, Hdf5File::Access access) {
   return H5Fopen(path.c_str(), read_only ? H5F_ACC_RDONLY : H5F_ACC_RDWR, H5P_DEFAULT);
 }
 
-/// At the begin, or behind a block of the user's, whose size is a power of 2 from 512 on.
+/// True if the bytes have the HDF5 signature, at the start or behind a user block of 512, 1024,
+/// 2048, ... bytes.
 bool has_signature(std::span<std::byte> image) {
   constexpr std::string_view signature = "\x89HDF\r\n\x1a\n";
   const std::string_view bytes(reinterpret_cast<const char*>(image.data()), image.size());
@@ -96,11 +98,11 @@ std::recursive_mutex& library_mutex() {
 
 Hdf5File::Hdf5File(std::filesystem::path path, Access access)
     : library_(library_mutex()), path_(std::move(path)), written_(access != Access::read) {
-  // The library must not try again, when the program ends, to write what it could not write to a
-  // full disk: it would crash. Every file is closed here.
+  // Without its exit handler the library does not try again, at the end of the program, to write
+  // data that did not fit on a full disk, which would crash. Every file is closed by this class.
   static const herr_t once = H5dont_atexit();
   static_cast<void>(once);
-  // Our own messages say what failed; HDF5's stack trace would only bury them.
+  // Turns off HDF5's stack traces, which would hide the messages of this class.
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
   id_ = open_file(path_, access);
   if (id_ < 0) {
@@ -128,7 +130,7 @@ Hdf5File::~Hdf5File() {
   if (id_ >= 0) {
     H5Fclose(id_);
     if (written_) {
-      failed_close.reset(); // the file is given up
+      failed_close.reset(); // the file was not closed by `close`, so it is discarded
     }
   }
 }

@@ -13,78 +13,92 @@
 
 namespace ionskin::results {
 
-/// One HDF5 file with the few operations the results need. Objects are named by their path inside
-/// the file ("/strain/gamma"); groups on the way are made when writing. Numbers are doubles,
-/// integers are converted on reading. HDF5 serves one thread at a time: while a file is open, its
-/// thread holds a lock, and other threads wait for it when they open one.
+/// An open HDF5 file, with the few operations that the results need. An object (dataset or group)
+/// is named by its path inside the file ("/strain/gamma"); writing creates missing groups on the
+/// path. Numbers are doubles; integers are converted when read. HDF5 serves one thread at a time:
+/// the thread that has a file open holds a lock, and other threads that open a file wait.
 ///
-/// Files that this process has not written itself are read through ForeignHdf5File. What is read
-/// must be plain: see hdf5_plain.hpp.
+/// Use `ForeignHdf5File` for files that this process has not written itself. Objects that are read
+/// must be plain, as hdf5_plain.hpp defines.
 ///
-/// Errors: UserError when the file cannot be opened, is not an HDF5 file, lacks what is read or
-/// cannot be written; the message names the file and the object.
+/// Errors: UserError when the file cannot be opened, is not an HDF5 file, lacks the object to be
+/// read, or cannot be written; the message names the file and the object.
 class Hdf5File {
 public:
   enum class Access {
-    create, ///< a new file; an old one is replaced
+    create, ///< create a new file, or replace an existing one
     read,
-    modify ///< an existing file
+    modify ///< read and write an existing file
   };
-  using Shape = std::vector<std::size_t>;
+  using Shape = std::vector<std::size_t>; ///< lengths of the dimensions, slowest first
 
   Hdf5File(std::filesystem::path path, Access access);
-  /// Reads a file whose bytes are in memory already and stay there.
-  /// @param name under which messages know it
+  /// Opens a file image in memory for reading.
+  /// @param image bytes of the file, which must outlive this object
+  /// @param name of the file in messages
   Hdf5File(std::span<std::byte> image, std::filesystem::path name);
   ~Hdf5File();
   Hdf5File(const Hdf5File&) = delete;
   Hdf5File& operator=(const Hdf5File&) = delete;
 
   const std::filesystem::path& path() const { return path_; }
-  /// Writes everything out. Called by the destructor too, which cannot report failure.
+  /// Flushes and closes the file. The destructor closes it too, but cannot report a failure.
   void close();
 
+  /// True if `object` exists.
   bool has(const std::string& object) const;
-  /// True when `object` exists and is a dataset of numbers.
+  /// True if `object` exists and is a dataset of numbers.
   bool has_numbers(const std::string& object) const;
   /// Names of the members of a group, in alphabetical order.
   std::vector<std::string> members(const std::string& group) const;
+  /// Lengths of the dimensions of a dataset; empty for a scalar.
   Shape shape(const std::string& dataset) const;
-  /// Opens every object: damage that the library finds, or stumbles over, shows now.
+  /// Opens every object of the file, so that damage shows now rather than in a later read.
   void require_plain() const;
-  /// Gives an object a second name.
+  /// Gives an object a second name (hard link).
   void link(const std::string& object, const std::string& name);
-  /// Removes an object if it is there.
+  /// Removes an object; does nothing if it does not exist.
   void remove(const std::string& object);
 
   /// Writes numbers as a new dataset.
-  /// @param shape of row-major `values`; empty for one dimension
+  /// @param shape of the row-major `values`; empty for one dimension
   void write(const std::string& dataset, const std::vector<double>& values, Shape shape = {});
   void write(const std::string& dataset, const std::vector<int>& values);
-  /// Writes as `write` does; the attribute "unit" tells the unit of the values.
+  /// Writes numbers as a new dataset, with their unit in its attribute "unit".
   void write_with_unit(const std::string& dataset, const std::vector<double>& values,
                        const std::string& unit, const Shape& shape = {});
+  /// Writes one UTF-8 text as a new scalar dataset.
   void write_text(const std::string& dataset, const std::string& text);
+  /// Writes a list of UTF-8 texts as a new one-dimensional dataset.
   void write_texts(const std::string& dataset, const std::vector<std::string>& texts);
+  /// Reads all values of a dataset of numbers, row-major.
   std::vector<double> read(const std::string& dataset) const;
+  /// Reads a dataset that holds one text.
   std::string read_text(const std::string& dataset) const;
+  /// Reads a one-dimensional dataset of texts of fixed length.
   std::vector<std::string> read_texts(const std::string& dataset) const;
 
-  /// A compressed dataset that is written frame by frame; the first entry of `shape` counts frames.
+  /// Creates a compressed dataset to be written frame by frame. A frame is all values at one index
+  /// of the first dimension; the first entry of `shape` is the number of frames.
   void create_frames(const std::string& dataset, const Shape& shape);
+  /// Writes one frame. Throws InternalError when `values` has not the size of a frame.
+  /// @param values of the frame, row-major over the other dimensions
   void write_frame(const std::string& dataset, std::size_t frame,
                    const std::vector<double>& values);
-  /// Writes the compressed bytes of an earlier frame again.
+  /// Copies the compressed bytes of the written frame `source` to `frame`, without compressing
+  /// again.
   void repeat_frame(const std::string& dataset, std::size_t source, std::size_t frame);
-  /// Reads one frame of a dataset of frames.
-  /// @param values is resized to one frame
+  /// Reads one frame: all values at one index of the first dimension of a dataset.
+  /// @param values receives the frame, row-major over the other dimensions; resized
   void read_frame(const std::string& dataset, std::size_t frame, std::vector<double>& values) const;
 
-  /// Attributes of a dataset or of a group, which is made if it is missing; "/" is the file.
+  /// Sets an attribute of a dataset or group; a missing object is created as a group. The object
+  /// "/" is the root group.
   void set_attribute(const std::string& object, const std::string& name, const std::string& text);
   void set_attribute(const std::string& object, const std::string& name, double value);
   void set_attribute(const std::string& object, const std::string& name, int value);
-  /// Empty when the attribute is missing or of another type.
+  /// Reads an attribute of an object. Nothing (`nullopt`) when the object or the attribute is
+  /// missing, or the attribute has another type.
   std::optional<std::string> text_attribute(const std::string& object,
                                             const std::string& name) const;
   std::optional<double> number_attribute(const std::string& object, const std::string& name) const;
@@ -92,11 +106,11 @@ public:
 private:
   struct OpenFrames;
 
-  std::unique_lock<std::recursive_mutex> library_; ///< released last
+  std::unique_lock<std::recursive_mutex> library_; ///< lock on the HDF5 library, released last
   std::filesystem::path path_;
   std::int64_t id_ = -1;
   bool written_ = false;
-  mutable std::unique_ptr<OpenFrames> frames_; ///< of which the last frame was read
+  mutable std::unique_ptr<OpenFrames> frames_; ///< dataset of the last frame read, still open
 };
 
 } // namespace ionskin::results

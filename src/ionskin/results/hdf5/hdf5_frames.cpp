@@ -10,7 +10,8 @@
 namespace ionskin::results {
 namespace {
 
-// The lowest level already finds the repeated zero bytes that shuffling brings together.
+// The lowest level already compresses the runs of zero bytes that the shuffle filter brings
+// together.
 constexpr unsigned deflate_level = 1;
 
 std::vector<hsize_t> frame_extents(const Hdf5File::Shape& shape) {
@@ -33,7 +34,8 @@ std::size_t frame_values(const Hdf5File::Shape& shape) {
   return count;
 }
 
-// File and memory spaces of one frame of an open dataset.
+// HDF5 dataspaces of one frame of an open dataset: its selection in the file, and its shape in
+// memory.
 struct FrameSpaces {
   FrameSpaces(hid_t dataset, const Hdf5File::Shape& shape, std::size_t frame,
               const std::string& failure)

@@ -14,12 +14,13 @@
 
 namespace ionskin::results {
 
-/// Reason (errno) of the first object that this thread could not close, until it closes a file.
-/// Closing a dataset writes what its cache still holds: where that fails, values are lost, and
-/// closing the file does not tell.
+/// Error number (errno) of the first HDF5 object that this thread failed to close; reset when the
+/// thread closes a file. Closing a dataset writes its cached values: if that fails, values are
+/// lost, and closing the file does not report it.
 inline thread_local std::optional<int> failed_close;
 
-/// Owns one HDF5 identifier; throws UserError with `message` when HDF5 did not give one.
+/// Owner of one HDF5 identifier, which it closes with `closer`. The constructor throws UserError
+/// with `message` when the identifier is negative: the HDF5 call that made it failed.
 class Hdf5Handle {
 public:
   using Closer = herr_t (*)(hid_t);
@@ -45,7 +46,9 @@ private:
   Closer closer_;
 };
 
-/// A message with the reason that the system gave for a failed write, if it did, before its remedy.
+/// Inserts the system's reason for a failed write into a message, at the end of its first line.
+/// Only reasons of the disk are named (full, quota, read-only, too large, input/output error).
+/// @param reason errno after the failed call
 inline std::string with_reason(std::string message, int reason) {
   for (const int known : {ENOSPC, EFBIG, EDQUOT, EIO, EROFS}) {
     if (reason == known) {
@@ -56,14 +59,14 @@ inline std::string with_reason(std::string message, int reason) {
   return message;
 }
 
-/// Throws UserError with `message` when an HDF5 call failed.
+/// Throws UserError with `message` and the system's reason when an HDF5 call failed.
 inline void require_hdf5(herr_t status, const std::string& message) {
   if (status < 0) {
     throw UserError(with_reason(message, errno));
   }
 }
 
-/// Link properties under which the groups on the way to a new object are made.
+/// Link creation properties with which HDF5 creates missing groups on the path to a new object.
 inline Hdf5Handle group_making_links() {
   const hid_t properties = H5Pcreate(H5P_LINK_CREATE);
   H5Pset_create_intermediate_group(properties, 1);

@@ -6,7 +6,8 @@
 
 namespace ionskin::results {
 
-/// A dataset that stays open between its frames: its cache holds the pieces that they share.
+/// Dataset that stays open while its frames are read one after another, so that its cache holds the
+/// chunks that consecutive frames share.
 struct Hdf5File::OpenFrames {
   OpenFrames(std::string its_name, Hdf5Handle its_dataset)
       : name(std::move(its_name)), dataset(std::move(its_dataset)) {}

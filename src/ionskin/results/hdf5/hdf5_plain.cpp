@@ -12,14 +12,15 @@ namespace ionskin::results {
 namespace {
 
 constexpr std::size_t most_dimensions = 8;
-/// Largest depth of groups in groups; a group may even hold itself.
+/// Largest depth of nested groups. A limit is needed because a group can contain itself.
 constexpr int deepest_group = 16;
-/// Numbers of 16 bytes are the longest that processors know; texts hold whole case files.
+/// Largest size of one number and of one text [bytes]. Processors know numbers of up to 16 bytes;
+/// texts hold whole case files.
 constexpr std::size_t longest_number = 16, longest_text = 1u << 24;
 constexpr double most_piece_bytes = 256e6;
 constexpr hsize_t most_pieces = 1'000'000;
 constexpr std::size_t least_cache = 1u << 20, most_cache = 1u << 29;
-/// Number of slots of the table that finds pieces in the cache; a prime.
+/// Number of slots of the hash table of the chunk cache; a prime.
 constexpr std::size_t cache_slots = 10007;
 
 [[noreturn]] void refuse(const std::filesystem::path& path, const std::string& object,
@@ -34,7 +35,7 @@ const char* kind_of(H5L_type_t link) {
   return link == H5L_TYPE_SOFT ? "a soft link" : "a link that HDF5 does not define";
 }
 
-/// False where nothing is.
+/// True if the link named `object` exists; throws UserError when it is not a hard link.
 bool is_hard_link(hid_t file, const std::filesystem::path& path, const std::string& object) {
   if (H5Lexists(file, object.c_str(), H5P_DEFAULT) <= 0) {
     return false;
@@ -103,7 +104,7 @@ void require_known_filters(hid_t properties, const std::filesystem::path& path,
   }
 }
 
-/// Extents of a piece of a chunked dataset.
+/// Shape of the chunks of a chunked dataset.
 std::vector<hsize_t> piece_extents(hid_t properties, std::size_t dimensions) {
   std::vector<hsize_t> piece(std::max<std::size_t>(dimensions, 1));
   H5Pget_chunk(properties, static_cast<int>(piece.size()), piece.data());
@@ -148,7 +149,8 @@ void require_written_pieces(hid_t dataset, hid_t properties, const std::vector<h
   }
 }
 
-/// Everything that a dataset must be before one of its values is read.
+/// Throws UserError unless a dataset is plain, as hdf5_plain.hpp defines; checked before any of its
+/// values is read.
 void require_plain_storage(hid_t dataset, const std::filesystem::path& path,
                            const std::string& object) {
   require_plain_type(dataset, path, object);
@@ -239,7 +241,7 @@ bool has_plain(hid_t file, const std::filesystem::path& path, const std::string&
   if (object == "/") {
     return true;
   }
-  // H5Lexists needs every group on the way to exist.
+  // H5Lexists requires that every group on the path exists.
   for (std::size_t slash = object.find('/', 1); slash != std::string::npos;
        slash = object.find('/', slash + 1)) {
     if (!is_hard_link(file, path, object.substr(0, slash))) {

@@ -7,13 +7,16 @@
 #include <string_view>
 #include <vector>
 
-// Protocol between ForeignHdf5File and the process that reads for it: a question, its two texts,
-// and an answer with its content. Numbers stand as in memory, both ends being one machine.
+// Protocol between `ForeignHdf5File` and the separate process that reads the file for it. The
+// client sends an `Hdf5Request`, the name of an object and the name of an attribute; the process
+// replies with an `Hdf5Answer` and its content. Numbers are sent as they are in memory, since both
+// processes run on one machine.
 
 namespace ionskin::results {
 
+/// Question to the reading process: the member function of `Hdf5File` to call.
 enum class Hdf5Question : std::uint32_t {
-  open,  ///< asked first
+  open,  ///< open the file; always the first question
   plain, ///< check that every object can be opened
   has,
   has_numbers,
@@ -27,35 +30,40 @@ enum class Hdf5Question : std::uint32_t {
   number_attribute
 };
 
+/// Header of a question, followed by the names of the object and of the attribute.
 struct Hdf5Request {
   Hdf5Question question = Hdf5Question::open;
-  std::uint32_t object_bytes = 0, name_bytes = 0; ///< of the texts that follow
-  std::uint64_t frame = 0;
-  std::uint64_t expected_bytes = 0; ///< of the answer; the time that it may take grows with it
+  /// Lengths of the names of the object and of the attribute [bytes].
+  std::uint32_t object_bytes = 0, name_bytes = 0;
+  std::uint64_t frame = 0;          ///< index of the frame, for `Hdf5Question::frame`
+  std::uint64_t expected_bytes = 0; ///< size of the answer, which raises the time limit [bytes]
 };
 
+/// Outcome of a question.
 enum class Hdf5State : std::uint32_t {
-  answered,
-  nothing,      ///< such as an attribute that is not there
-  refused,      ///< a UserError, whose message follows
-  out_of_memory ///< of what the process may take
+  answered,     ///< the content follows
+  nothing,      ///< the attribute asked for does not exist
+  refused,      ///< the process caught a UserError; its message follows
+  out_of_memory ///< the process reached its memory limit
 };
 
+/// Header of an answer, followed by its content.
 struct Hdf5Answer {
   Hdf5State state = Hdf5State::answered;
-  std::uint64_t bytes = 0; ///< bytes that follow
+  std::uint64_t bytes = 0; ///< length of the content [bytes]
 };
 
-/// A reader of so many bytes may keep a processor busy this long [s]: many times what a slow
-/// machine needs to decompress them, and some to begin with. What takes longer goes round in a
-/// circle.
+/// Limit of the processor time for reading a number of bytes [s]: one second, and many times the
+/// time that a slow machine needs to decompress them. A reader that takes longer is taken to be in
+/// an endless loop.
 inline double reading_seconds(double bytes) {
   return 1.0 + bytes / 10e6;
 }
 
-/// Texts in one: each behind its length.
+/// Joins texts into one byte string: each text is preceded by its length as 8 bytes.
 std::string joined_texts(const std::vector<std::string>& texts);
-/// Throws UserError when the lengths do not add up.
+/// Splits a byte string that `joined_texts` made into its texts. Throws UserError when the lengths
+/// do not add up.
 std::vector<std::string> separate_texts(std::string_view joined);
 
 } // namespace ionskin::results

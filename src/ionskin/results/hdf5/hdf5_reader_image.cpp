@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/results/hdf5/hdf5_reader_image.hpp"
 
-// IONSKIN_HDF5_READER is the path of the executable, which the build makes first.
+// IONSKIN_HDF5_READER is the path of the reader executable, which is built before this file.
 asm(".pushsection .rodata\n"
     ".balign 16\n"
     "ionskin_hdf5_reader_begin:\n"

@@ -5,8 +5,9 @@
 
 namespace ionskin::results {
 
-/// The executable that reads for ForeignHdf5File. It is carried along, so that no other file has to
-/// be found beside the program, the Python module or a test.
+/// Bytes of the executable that `ForeignHdf5File` runs as its reading process. The executable is
+/// embedded in the program, so that no file has to be found beside the program, the Python module
+/// or a test. The bytes live as long as the process.
 std::string_view hdf5_reader_image();
 
 } // namespace ionskin::results

@@ -43,7 +43,8 @@ void limit(decltype(RLIMIT_AS) what, std::uint64_t amount) {
   setrlimit(what, &most);
 }
 
-/// Sanitizers reserve terabytes of addresses.
+/// Limits the address space of the process to `most_memory` above its current size. Not under
+/// sanitizers, which reserve terabytes of addresses.
 void limit_memory() {
   std::ifstream stream("/proc/self/statm");
   std::uint64_t pages = 0;
@@ -178,7 +179,7 @@ private:
   int socket_;
   std::span<std::byte> image_;
   std::string name_;
-  double bytes_; ///< bytes that have been asked for
+  double bytes_; ///< size of the file and of all answers so far, for the time limit [bytes]
   std::unique_ptr<Hdf5File> file_;
   std::vector<double> frame_;
 };
@@ -193,7 +194,7 @@ int serve_hdf5(int socket, int file, const std::string& name) {
   H5open();
   H5PLset_loading_state(0);
   const auto bytes = static_cast<std::size_t>(status.st_size);
-  // The image is private: what the library writes into it stays here.
+  // The mapping is private: writes of the library do not reach the file.
   void* image = bytes == 0 ? nullptr
                            : mmap(nullptr, bytes, PROT_READ | PROT_WRITE,
                                   MAP_PRIVATE | MAP_NORESERVE, file, 0);
@@ -202,8 +203,8 @@ int serve_hdf5(int socket, int file, const std::string& name) {
   }
   limit_memory();
   limit(RLIMIT_CORE, 0);
-  // No link, dataset or filter leads to another file from here on. Sanitizers look at an exception
-  // through a pipe.
+  // The process can open no further file, so no link, dataset or filter leads to another one.
+  // Sanitizers need a pipe to inspect exceptions.
   limit(RLIMIT_NOFILE, sanitized ? 16 : 0);
   return Service(socket, {static_cast<std::byte*>(image), bytes}, name).run();
 }

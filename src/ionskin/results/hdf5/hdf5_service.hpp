@@ -5,13 +5,14 @@
 
 namespace ionskin::results {
 
-/// Answers questions about one HDF5 file until the other end closes: what the process apart does
-/// for ForeignHdf5File. Before the library sees the file the process gives up what damage could
-/// misuse: it may take 2 GB more memory than it has, open no file, and compute only as long as
-/// `reading_seconds` allows.
-/// @param socket to the process that asks
-/// @param file descriptor of the HDF5 file, @param name its name in messages
-/// @return exit code
+/// Main loop of the reading process of `ForeignHdf5File`: answers questions about one HDF5 file
+/// (hdf5_protocol.hpp) until the client closes its end. Before the HDF5 library sees the file, the
+/// process limits itself, so that damage can do no harm: it may take at most 2 GB of further
+/// memory, open no other file, and compute only as long as `reading_seconds` allows.
+/// @param socket connected to the client process
+/// @param file descriptor of the HDF5 file
+/// @param name of the file in messages
+/// @return exit code: 0 when the client has closed its end, else 1
 int serve_hdf5(int socket, int file, const std::string& name);
 
 } // namespace ionskin::results

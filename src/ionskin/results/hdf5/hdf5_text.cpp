@@ -11,7 +11,8 @@
 namespace ionskin::results {
 namespace {
 
-// UTF-8; of fixed length padded with zeros, or of variable length.
+// HDF5 type of UTF-8 text: of a fixed length in bytes, padded with zeros, or of variable length for
+// H5T_VARIABLE.
 Hdf5Handle text_type(std::size_t length) {
   const hid_t type = H5Tcopy(H5T_C_S1);
   H5Tset_size(type, std::max<std::size_t>(length, 1));
@@ -33,7 +34,8 @@ std::string up_to_padding(const char* text, std::size_t length) {
 /// Largest length of an attribute [bytes]: names, units, and reasons in a sentence.
 constexpr std::size_t longest_attribute = 1u << 16;
 
-// One text, fixed or variable length; `read` is H5Dread or H5Aread bound to its object.
+// Reads one text of fixed or variable length. Nothing (`nullopt`) when it is not a text or cannot
+// be read. `read` is H5Dread or H5Aread bound to its object.
 template <class Read> std::optional<std::string> read_one_text(hid_t file_type, const Read& read) {
   if (H5Tget_class(file_type) != H5T_STRING) {
     return std::nullopt;
@@ -55,7 +57,7 @@ template <class Read> std::optional<std::string> read_one_text(hid_t file_type, 
   return up_to_padding(padded.data(), padded.size());
 }
 
-// Opens an object for its attributes, making a group where nothing is.
+// Opens an object for its attributes, or creates it as a group if it does not exist.
 Hdf5Handle open_or_make(hid_t file, const std::filesystem::path& path, const std::string& object,
                         bool exists) {
   const std::string failure = write_failure(path, object);
@@ -156,7 +158,7 @@ std::vector<std::string> Hdf5File::read_texts(const std::string& dataset) const 
 
 void Hdf5File::set_attribute(const std::string& object, const std::string& name,
                              const std::string& text) {
-  // The text has variable length, so that h5py hands out text rather than bytes.
+  // With variable length, h5py returns the attribute as text rather than bytes.
   const Hdf5Handle type = text_type(H5T_VARIABLE);
   const char* characters = text.c_str();
   write_attribute(open_or_make(id_, path_, object, has(object)), name, type, type, &characters,

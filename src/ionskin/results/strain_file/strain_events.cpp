@@ -28,7 +28,7 @@ std::vector<double> hat_integrals(const std::vector<double>& nodes) {
   return integrals;
 }
 
-// Volume that belongs to each value of the grid.
+// Volume that each value of the grid represents, [z][y][x] [m3].
 std::vector<double> value_volumes(const history::StrainGrid& grid) {
   const std::vector<double> dx = cell_widths(grid.x_edges);
   const std::vector<double> dy = cell_widths(grid.y_edges);
@@ -43,7 +43,8 @@ std::vector<double> value_volumes(const history::StrainGrid& grid) {
   return volumes;
 }
 
-// Rate of a channel over the step that starts at a sample.
+// Rate of change of a channel over the step that starts at a sample, [z][y][x] [unit of the
+// channel/s].
 std::vector<double> rate_of_step(const history::CoreHistory& history,
                                  const history::HistoryChannel& channel, std::size_t step) {
   const history::StrainField& before = *channel.samples[step];
@@ -67,7 +68,8 @@ double integral_of_magnitude(const std::vector<double>& values,
   return sum;
 }
 
-// Magnitudes of the jumps of a quantity at the inner samples, and the largest magnitude itself.
+// Magnitudes of the jumps of a rate at the inner samples, and the largest magnitude of the rate
+// itself.
 struct Jumps {
   std::vector<double> at_inner_samples;
   double largest = 0;

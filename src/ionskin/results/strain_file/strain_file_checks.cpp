@@ -13,10 +13,11 @@
 namespace ionskin::results {
 namespace {
 
-// Lengths that users compute in another order than we do may differ by rounding.
+// Relative tolerance of lengths, which may differ by rounding if users compute them in another
+// order [1].
 constexpr double relative_rounding = 1e-9;
 
-// Bounds of times and lengths: values beyond them were meant in another unit or are damage.
+// Bounds of times and lengths: values beyond them were meant in another unit, or are damage.
 constexpr double longest_time = 1e7, shortest_time = 1e-15;     // [s]
 constexpr double longest_length = 100, shortest_length = 1e-15; // [m]
 

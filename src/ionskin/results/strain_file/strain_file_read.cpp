@@ -18,10 +18,11 @@ namespace ionskin::results {
 namespace {
 
 constexpr const char* format_name = "ionskin-strain";
-/// Share of the available memory for the history; ion transport takes more.
+/// Share of the available memory that the strain history may take, since ion transport takes more
+/// [1].
 constexpr double free_share = 0.5;
 
-// Hands out one shared field for all equal ones.
+// Pool that returns one shared field for all identical fields.
 class FieldPool {
 public:
   std::shared_ptr<const history::StrainField> share(history::StrainField field) {
@@ -58,7 +59,7 @@ public:
     history.width = skin.width;
     read_slider(history);
     checks_.covers_core(history, skin);
-    // Users' rounding must not leave a sliver of the core without shear.
+    // Rounding in the file must not leave a thin layer of the core outside the grid.
     history.grid.z_nodes.front() = 0;
     history.grid.z_nodes.back() = skin.core_thickness();
     read_fields(history);
@@ -70,7 +71,7 @@ private:
   std::string object(const std::string& name) const { return group_ + "/" + name; }
   std::string root() const { return group_.empty() ? "/" : group_; }
 
-  // Empty for a layout at the root.
+  // Group that holds the strain: /strain of a results.h5, or empty for the root of a strain file.
   std::string find_group() const {
     const bool in_results =
         file_.has("/strain") && file_.text_attribute("/strain", "format") == format_name;
@@ -174,7 +175,7 @@ private:
     }
   }
 
-  /// Version 1 has the shear alone, version 2 channels by name.
+  /// Reads the strain channels: only the shear in version 1, channels by name in version 2.
   void read_fields(history::CoreHistory& history) const {
     if (!file_.has(object("channels"))) {
       read_channel(history, "gamma", history::channel_name::shear, "1");

@@ -50,7 +50,7 @@ void write_strain(Hdf5File& file, const std::string& group, const history::CoreH
     const std::string dataset = root + (shear_alone ? "/gamma" : "/channels/" + channel.name);
     write_fields(file, dataset, history, channel);
     if (!shear_alone && channel.name == history::channel_name::shear) {
-      file.link(dataset, root + "/gamma"); // where readers of version 1 look
+      file.link(dataset, root + "/gamma"); // name under which readers of version 1 look
     }
   }
   file.set_attribute(group, "format", std::string("ionskin-strain"));
