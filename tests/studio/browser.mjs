@@ -91,7 +91,10 @@ const main = async (page, link) => {
       await page.setViewport({ width, height: width === 1300 ? 900 : 844 });
       await page.evaluate(() => window.scrollTo(0, 0));
       await new Promise((resolve) => setTimeout(resolve, 400));
-      problems.push(...(await page.evaluate(layout_problems)).map((one) => `${name} ${width}: ${one}`));
+      // A busy machine takes longer to lay the page out anew.
+      const problems_here = () => page.evaluate(layout_problems);
+      for (let tries = 0; tries < 20 && (await problems_here()).length > 0; ++tries) await new Promise((resolve) => setTimeout(resolve, 500));
+      problems.push(...(await problems_here()).map((one) => `${name} ${width}: ${one}`));
       await page.screenshot({ path: path.join(pictures, `${name}-${width}.png`), fullPage: true });
     }
     await page.setViewport({ width: 1300, height: 900 });
