@@ -115,6 +115,9 @@ class LaboratoryData(ProgramTest):
         limit = 0.3 * self.size  # two peaks alone are above it, and leave the others' noise
         peaks = self.fit(self.data(self.time, numpy.clip(self.current + self.noise, -limit, limit)))
         self.assert_warns(peaks, "saturated")
+        limit = 0.6 * self.size
+        drifted = self.current + 0.1 * self.size * (self.time - self.time[0])
+        self.assert_warns(self.fit(self.data(self.time, numpy.clip(drifted, -limit, limit)), K, BASELINE, DRIFT), "saturated")
         smooth = self.fit(self.data(self.time, numpy.convolve(self.current, (0.25, 0.5, 0.25), "same") + self.noise))
         self.assert_warns(smooth, "rows hold")
         offset = self.fit(self.data(self.time, self.current + self.noise + 0.1 * self.size))

@@ -142,12 +142,6 @@ shapes::Pose MotionLeg::pose(double since_begin) const {
           at(from_pose.yaw, to_pose.yaw)};
 }
 
-bool MotionLeg::repeats(const MotionLeg& other) const {
-  return duration == other.duration && from == other.from && to == other.to &&
-         from_level == other.from_level && to_level == other.to_level &&
-         from_pose == other.from_pose && to_pose == other.to_pose;
-}
-
 double Drive::natural_period() const {
   return given() ? 2 * std::numbers::pi * std::sqrt(mass / stiffness) : 0;
 }
@@ -258,6 +252,7 @@ MotionLeg joined(const std::vector<MotionLeg>& legs, std::size_t first, std::siz
     slide.duration = legs[end - 1].end() - slide.begin;
     slide.to = legs[end - 1].to;
     slide.to_level = legs[end - 1].to_level;
+    slide.to_pose = legs[end - 1].to_pose;
   }
   return slide;
 }

@@ -57,8 +57,6 @@ struct MotionLeg {
   bool leaves() const { return touches() && !to_level.touches(); }
   /// True if the slider moves along the skin in contact.
   bool slides() const { return touches() && length() > 0; }
-  /// True if another leg is identical to this one, apart from its start and its phase.
-  bool repeats(const MotionLeg& other) const;
 };
 
 /// The legs of one cycle of any kind of motion, in order of time. The last leg ends with the cycle.

@@ -47,7 +47,7 @@ void require_finite(const history::StrainField& field, const Case& input, double
     throw SolverError(
         fmt::format(
             "the contact under the friction law \"{}\" (contact.friction = {:.4g}) ended in a "
-            "shear that is not a finite number, in {} of {} cells at t = {:.4g} s",
+            "strain that is not a finite number, in {} of {} cells at t = {:.4g} s",
             input.contact.law, input.contact.friction, bad, field.size(), time),
         "check the friction law and the materials, or change numerics.mesh_refinement");
   }

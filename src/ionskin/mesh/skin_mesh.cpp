@@ -173,7 +173,6 @@ SkinMesh::SkinMesh(const Case& input, MeshedPart part)
 SkinMesh::SkinMesh(const Case& input, const Footprint& footprint, MeshedPart part)
     : skin_(input.skin), footprint_(footprint) {
   half_model_ = part == MeshedPart::half_if_symmetric && moves_on_symmetry_plane(input);
-  main_axis_ = longest_way(motion_box(input.motion, input.slider));
   x_ = make_axis(input, 0);
   y_ = make_axis(input, 1);
   ThicknessLines thickness = thickness_lines(skin_, footprint_, mesh_resolution(input, footprint_));
@@ -195,11 +194,6 @@ std::vector<double> SkinMesh::lines_across(double centre_y) const {
 
 std::array<std::size_t, 3> SkinMesh::elements() const {
   return {x_.elements(), y_.elements(), z_.size() - 1};
-}
-
-std::size_t SkinMesh::unknowns() const {
-  const auto [nx, ny, nz] = elements();
-  return 3 * (2 * nx + 1) * (2 * ny + 1) * (2 * nz + 1);
 }
 
 } // namespace ionskin::mesh

@@ -56,8 +56,6 @@ public:
   std::array<std::size_t, 2> footprint_y() const {
     return {y_.outer, y_.outer + y_.inner_elements()};
   }
-  /// Horizontal axis, 0 for x and 1 for y, along which the slider travels farthest.
-  std::size_t main_axis() const { return main_axis_; }
   /// Lines of the footprint along x, measured from the slider's centre [m].
   const std::vector<double>& footprint_lines_x() const { return x_.inner; }
   /// Lines of the footprint along y, measured from the slider's centre [m]; they end at 0 in a half
@@ -74,9 +72,6 @@ public:
   const std::vector<std::size_t>& layer_of_row() const { return layer_of_row_; }
   /// Numbers of elements along x, y and z of the meshed part.
   std::array<std::size_t, 3> elements() const;
-  /// Number of displacement degrees of freedom that triquadratic (Q2) hexahedra on these lines
-  /// would have, before boundary conditions.
-  std::size_t unknowns() const;
 
 private:
   /// Lines along one horizontal direction, x or y.
@@ -106,7 +101,6 @@ private:
   Skin skin_;
   Footprint footprint_;
   bool half_model_ = false;
-  std::size_t main_axis_ = 0;
   Axis x_, y_;
   std::array<std::size_t, 2> core_z_{};
   std::vector<std::size_t> layer_of_row_;

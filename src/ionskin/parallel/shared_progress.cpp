@@ -12,11 +12,6 @@ void SharedProgress::begin_pass(std::size_t expected, double share) {
   end_ = reported_ + share * (1 - reported_);
 }
 
-void SharedProgress::expect_known_units() {
-  const std::lock_guard lock(mutex_);
-  expected_ = known_;
-}
-
 void SharedProgress::add_units(std::size_t units) {
   const std::lock_guard lock(mutex_);
   known_ += units;

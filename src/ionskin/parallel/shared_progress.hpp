@@ -28,8 +28,6 @@ public:
   /// less
   /// @param share of the remaining progress, 0 to 1
   void begin_pass(std::size_t expected, double share);
-  /// Sets the expected number of units of the pass to the number announced by `add_units`.
-  void expect_known_units();
   /// Announces further units of the pass; they count where they exceed the expected number.
   void add_units(std::size_t units);
   /// Marks one unit as finished and reports the new fraction.

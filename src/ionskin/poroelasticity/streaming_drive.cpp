@@ -44,6 +44,7 @@ StreamingDrive::StreamingDrive(const Case& input, const CoreHistory& history,
                   history::linear_interpolation(history.grid.z_nodes, pore_pressure_.nodes())),
       to_levels_(quadratic_interpolation(pore_pressure_.nodes(), levels)),
       walls_(water_walls(input.water, water_.mobility)), outside_(input, walls_, water_.mobility),
+      passed_before_(outside_.passed(history.time.front())),
       dragged_water_(water_, input.water.drag_number * constants::molar_volume_of_water,
                      pore_pressure_.nodes(), walls_, levels, relaxation_),
       streaming_(input.electrochemistry.valence * water_.streaming_coefficient /
@@ -165,7 +166,7 @@ Outflow StreamingDrive::left() const {
         modulus;
   }
   const Outflow by_load = outflow(nodes(), walls_, growth);
-  const double passed = outside_.passed(tried_.time);
+  const double passed = outside_.passed(tried_.time) - passed_before_;
   return {by_load.bottom + dragged().bottom - passed, by_load.top + dragged().top + passed};
 }
 

@@ -123,6 +123,7 @@ private:
   history::LineOperator to_levels_;
   WaterWalls walls_;
   OutsideWater outside_;
+  double passed_before_; ///< `outside_.passed` at the first instant of the history [m]
   DraggedWater dragged_water_;
   double streaming_ = 0; ///< v L_s/V_T [1/Pa]
   double dilution_ = 0;  ///< theta/M [1/Pa]

@@ -60,8 +60,7 @@ double middle_of_slide(const Motion& motion, const Slider& slider) {
 }
 
 double end_of_slide(const Motion& motion, const Slider& slider) {
-  const std::vector<MotionLeg> legs = motion_legs(motion, slider);
-  return first_slide(legs).end();
+  return whole_slide(motion_legs(motion, slider)).end();
 }
 
 } // namespace ionskin::readout

@@ -35,8 +35,6 @@ TEST(SliderMotion, StrokesGoBackAndForthWithRestsBetweenThem) {
   EXPECT_FALSE(legs[2].slides());
   EXPECT_TRUE(legs[2].touches());
   EXPECT_EQ(legs[3].direction(), (std::array<double, 2>{-1, 0}));
-  EXPECT_TRUE(legs[5].repeats(legs[1]));
-  EXPECT_FALSE(legs[3].repeats(legs[1]));
   EXPECT_DOUBLE_EQ(legs[6].from[0], 6e-3);
   EXPECT_EQ(legs[7].to, slider().start);
   EXPECT_DOUBLE_EQ(legs.back().end(), 8.5);

@@ -54,6 +54,14 @@ TEST(SmallSignalCell, AnswersToTheValence) {
               0.03 * 180e-6 / scales.conductivity);
 }
 
+/// Thin double layers hold dilute ions, though a case of them gives no largest concentration.
+TEST(SmallSignalCell, IonsOfThinLayersAreDilute) {
+  Case input = verification::model_case();
+  const std::complex<double> dilute = SmallSignalCell(input).area_impedance(1.0);
+  input.electrochemistry.ion_model = IonModel::thin_layers;
+  EXPECT_EQ(SmallSignalCell(input).area_impedance(1.0), dilute);
+}
+
 /// Far below the charging of the layers the reactance is 1e7 times the resistance.
 TEST(SmallSignalCell, TellsAResistanceFarBelowTheReactance) {
   for (const Preset preset : {Preset::coarse, Preset::standard, Preset::fine}) {

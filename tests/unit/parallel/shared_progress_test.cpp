@@ -24,9 +24,8 @@ TEST(SharedProgress, NeverFallsAndEndsAtOne) {
   }
   EXPECT_LT(seen.back(), 0.9);
   const double before = seen.back();
-  progress.begin_pass(10, 1.0);
+  progress.begin_pass(2, 1.0);
   progress.add_units(2);
-  progress.expect_known_units();
   progress.finish_unit();
   EXPECT_NEAR(seen.back(), before + (1 - before) / 2, 1e-12);
   progress.finish_unit();

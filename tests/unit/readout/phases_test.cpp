@@ -100,6 +100,18 @@ TEST(Phases, ALevelIsGivenButForTheWayBetweenAHeightAndAForce) {
 TEST(Phases, NamedInstants) {
   EXPECT_EQ(end_of_touchdown(paper_motion(), paper_slider()), 0.5);
   EXPECT_EQ(middle_of_slide(paper_motion(), paper_slider()), 1.5);
+  EXPECT_EQ(end_of_slide(paper_motion(), paper_slider()), 2.5);
+}
+
+TEST(Phases, ASlideOfManyRowsEndsWithTheLastOne) {
+  Motion recorded;
+  recorded.kind = MotionKind::waypoints;
+  recorded.waypoints = {{0, {1e-3, 1e-3}, -1e-6, {}},
+                        {1, {2e-3, 1e-3}, -1e-6, {}},
+                        {2, {3e-3, 1e-3}, -1e-6, {}},
+                        {3, {3e-3, 1e-3}, 1e-3, {}}};
+  EXPECT_EQ(middle_of_slide(recorded, {}), 1);
+  EXPECT_EQ(end_of_slide(recorded, {}), 2);
 }
 
 } // namespace

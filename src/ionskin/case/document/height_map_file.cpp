@@ -52,15 +52,16 @@ public:
 
 private:
   double length(const std::string& number, const std::string& unit) const {
+    double value = 0;
     try {
-      const double value = units::parse_quantity(number + " " + unit, units::Dimension::length);
-      if (std::abs(value) > largest_length)
-        refuse(fmt::format("{} {} is more than {} m", base::shown(number), base::shown(unit),
-                           largest_length));
-      return value;
+      value = units::parse_quantity(number + " " + unit, units::Dimension::length);
     } catch (const UserError& error) {
       refuse(error.what());
     }
+    if (std::abs(value) > largest_length)
+      refuse(fmt::format("{} {} is more than {} m", base::shown(number), base::shown(unit),
+                         largest_length));
+    return value;
   }
 
   void append_line(std::vector<double>& lines, double value, const char* axis) const {

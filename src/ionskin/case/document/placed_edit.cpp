@@ -310,7 +310,7 @@ SetEdit parse_set_edit(const std::string& argument) {
            "write --set key=value; an empty text is \"\"");
   const std::string value = toml_value_text(typed);
   if (!is_toml_value(value))
-    refuse(argument, fmt::format("{} is not TOML value", base::shown(typed)), true,
+    refuse(argument, fmt::format("{} is not a TOML value", base::shown(typed)), true,
            "numbers, quantities such as 3 mm, words, \"texts\" and [lists] are");
   return {argument, parse_path(argument, key), value};
 }

@@ -42,7 +42,7 @@ void StericExcess::keep_room(std::span<const double> before, std::span<double> a
 }
 
 std::optional<StericExcess> steric_excess(const Electrochemistry& electrochemistry) {
-  if (electrochemistry.ion_model == IonModel::dilute) {
+  if (electrochemistry.ion_model != IonModel::steric) {
     return std::nullopt;
   }
   return StericExcess{electrochemistry.fixed_charge_concentration /

@@ -42,7 +42,7 @@ struct StericExcess {
   void keep_room(std::span<const double> before, std::span<double> after, double share) const;
 };
 
-/// Makes the steric excess of a case; nothing for the ion model `dilute`.
+/// Makes the steric excess of a case; nothing unless the ion model is `steric`.
 std::optional<StericExcess> steric_excess(const Electrochemistry& electrochemistry);
 
 } // namespace ionskin::electrochemistry

@@ -87,11 +87,6 @@ double ContactProblem::friction_limit(int cell, double normal_force, double slip
          friction.limit({normal_force / area[cell], slip, time_step, lagged_speed_of(cell)});
 }
 
-double ContactProblem::friction_limit_slope(int cell, double normal_force, double slip,
-                                            double time_step) const {
-  return friction.limit_slope({normal_force / area[cell], slip, time_step, lagged_speed_of(cell)});
-}
-
 laws::CellTrial ContactProblem::cell_trial(int cell, const SliderStep& step, double indentation,
                                            const CellVector& force,
                                            const CellVector& surface) const {
@@ -138,15 +133,6 @@ double total_normal_force(const CellVector& force) {
     sum += force[at];
   }
   return sum;
-}
-
-bool free_of_tension(const ContactProblem& problem, const CellVector& force) {
-  for (int cell = 0; cell < problem.cells(); ++cell) {
-    if (force[3 * static_cast<std::size_t>(cell)] < -problem.largest_pull(cell)) {
-      return false;
-    }
-  }
-  return true;
 }
 
 std::array<double, 2> slip_increment(const SliderStep& step, const CellVector& surface, int cell) {

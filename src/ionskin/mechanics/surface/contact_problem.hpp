@@ -70,8 +70,6 @@ struct ContactProblem {
   /// @param slip length of its slip in the step [m]
   /// @param time_step [s]
   double friction_limit(int cell, double normal_force, double slip, double time_step) const;
-  /// Derivative of `friction_limit` by the normal force [1].
-  double friction_limit_slope(int cell, double normal_force, double slip, double time_step) const;
   /// Trial forces and other arguments with which `laws::cell_response` evaluates a cell.
   /// @param surface displacement of all cells [m]
   laws::CellTrial cell_trial(int cell, const SliderStep& step, double indentation,
@@ -121,8 +119,6 @@ struct SliderStep {
 
 /// Sum of the normal forces on all cells [N].
 double total_normal_force(const CellVector& force);
-/// True if no cell is pulled by more than its adhesion allows.
-bool free_of_tension(const ContactProblem& problem, const CellVector& force);
 
 /// Displacement of the slider relative to the skin at one cell during a step, along x and y [m].
 /// @param surface displacement of all cells at the end of the step [m]

@@ -284,7 +284,14 @@ std::vector<double> estimate_data_errors(const Case& input, const MechanicsRecor
     other.columns.back().values = results.at(name);
     return other;
   };
-  std::vector<double> errors(data.time.size(), 0.0);
+  ErrorFloors floors;
+  floors.decoupling = decoupling(input);
+  floors.thin_layers = thin_layers(input, mechanics.history.core_thickness(), ions.water);
+  const double relative = relative_floor(floors, data.column, data.unit);
+  std::vector<double> errors;
+  for (const double value : base.columns.back().values) {
+    errors.push_back(relative * std::abs(value));
+  }
   for (const NamedPair& pair : all_pairs(mechanics)) {
     const auto band = pair_band(base.columns.back().values, pair.part,
                                 table_difference(base, table(pair.finer), table(pair.coarser)),

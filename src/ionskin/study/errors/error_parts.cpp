@@ -214,8 +214,7 @@ SignalTable band(const SignalTable& base, const std::vector<PairDifference>& dif
         }
       }
     }
-    const double relative = (is_of_water(column.name, column.unit) ? floors.decoupling : 0.0) +
-                            (is_electrical(column.unit) ? floors.thin_layers : 0.0);
+    const double relative = relative_floor(floors, column.name, column.unit);
     for (std::size_t row = 0; row < values.size(); ++row) {
       column.values[row] += relative * std::abs(values[row]);
     }
@@ -235,6 +234,11 @@ void take_imposed(const std::vector<Signal>& imposed, SignalTable& bands) {
 }
 
 } // namespace
+
+double relative_floor(const ErrorFloors& floors, const std::string& name, const std::string& unit) {
+  return (is_of_water(name, unit) ? floors.decoupling : 0.0) +
+         (is_electrical(unit) ? floors.thin_layers : 0.0);
+}
 
 double safety(const std::string& part, const std::string& quantity) {
   const bool of_second_order = part == error_parts::transport_grid ||

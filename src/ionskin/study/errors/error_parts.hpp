@@ -74,6 +74,9 @@ struct ErrorFloors {
   ImposedErrors imposed; ///< errors of quantities that the case prescribes; they replace all parts
 };
 
+/// Relative error of a signal by its parts `decoupling` and `thin_layers` [1].
+double relative_floor(const ErrorFloors& floors, const std::string& name, const std::string& unit);
+
 /// Error of one column of a table from one pair of solutions: half the width of the error band
 /// about each value, one entry per row [unit of the column]; NaN where there is no value.
 /// @param values of the run

@@ -22,12 +22,24 @@ struct Ends {
   bool least = false, largest = false;
 };
 
-/// Data without the rows at the ends of their range, and the signal there and at these rows.
+/// Rows at an end of the data's range: their number, and means of the signal and the time over
+/// them.
+struct EndRows {
+  std::size_t rows = 0;
+  double signal = 0, time = 0; ///< [unit of the signal], [s]
+
+  /// Value of a linear fit in the mean of these rows [unit of the data].
+  /// @param begin first time of the rows that were fitted [s]
+  double value(const LinearFit& fit, double begin) const {
+    return fit.gain * signal + fit.baseline + fit.drift * (time - begin);
+  }
+};
+
+/// Data without the rows at the ends of their range, the signal there, and the rows at the ends.
 struct WithoutEnds {
-  FitData rows;                                ///< remaining rows
-  std::vector<double> signal;                  ///< signal at the remaining rows
-  double beyond_least = 0, beyond_largest = 0; ///< mean of the signal over the rows at each end
-  std::size_t least_rows = 0, largest_rows = 0;
+  FitData rows;               ///< remaining rows
+  std::vector<double> signal; ///< signal at the remaining rows
+  EndRows least, largest;
 };
 
 WithoutEnds without_ends(const FitData& data, const std::vector<double>& signal, Ends ends) {
@@ -35,20 +47,23 @@ WithoutEnds without_ends(const FitData& data, const std::vector<double>& signal,
   const double slack = 1e-6 * (most - least);
   WithoutEnds result{{data.column, data.unit, {}, {}}, {}};
   for (std::size_t row = 0; row < data.values.size(); ++row) {
-    if (ends.least && data.values[row] <= least + slack) {
-      result.beyond_least += signal[row];
-      ++result.least_rows;
-    } else if (ends.largest && data.values[row] >= most - slack) {
-      result.beyond_largest += signal[row];
-      ++result.largest_rows;
+    const bool at_least = ends.least && data.values[row] <= least + slack;
+    if (at_least || (ends.largest && data.values[row] >= most - slack)) {
+      EndRows& end = at_least ? result.least : result.largest;
+      ++end.rows;
+      end.signal += signal[row];
+      end.time += data.time[row];
     } else {
       result.rows.time.push_back(data.time[row]);
       result.rows.values.push_back(data.values[row]);
       result.signal.push_back(signal[row]);
     }
   }
-  result.beyond_least /= std::max(1.0, static_cast<double>(result.least_rows));
-  result.beyond_largest /= std::max(1.0, static_cast<double>(result.largest_rows));
+  for (EndRows* end : {&result.least, &result.largest}) {
+    const double rows = std::max(1.0, static_cast<double>(end->rows));
+    end->signal /= rows;
+    end->time /= rows;
+  }
   return result;
 }
 
@@ -57,7 +72,7 @@ WithoutEnds without_ends(const FitData& data, const std::vector<double>& signal,
 bool are_limits(const FitData& data, const WithoutEnds& others, Ends ends) {
   const auto [least, most] = std::ranges::minmax(data.values);
   const bool twice =
-      (!ends.least || others.least_rows > 1) && (!ends.largest || others.largest_rows > 1);
+      (!ends.least || others.least.rows > 1) && (!ends.largest || others.largest.rows > 1);
   return twice || (ends.least && ends.largest && std::abs(least + most) < 1e-6 * (most - least));
 }
 
@@ -77,10 +92,11 @@ std::string clipping(const FitData& data, const std::vector<double>& signal, boo
     }
     const LinearFit fit = linear_fit(others.rows, others.signal, baseline, drift);
     const double margin = beyond * (most - least);
-    const bool above = fit.gain * others.beyond_largest + fit.baseline > most + margin;
-    const bool below = fit.gain * others.beyond_least + fit.baseline < least - margin;
+    const double begin = others.rows.time.front();
+    const bool above = others.largest.value(fit, begin) > most + margin;
+    const bool below = others.least.value(fit, begin) < least - margin;
     const double of_ends =
-        (left - fit.left) / static_cast<double>(others.least_rows + others.largest_rows);
+        (left - fit.left) / static_cast<double>(others.least.rows + others.largest.rows);
     const double of_others = fit.left / static_cast<double>(others.signal.size());
     const bool clear = fit.left < better * left ||
                        (are_limits(data, others, ends) && of_ends > outlying * of_others);
@@ -91,7 +107,7 @@ std::string clipping(const FitData& data, const std::vector<double>& signal, boo
       return fmt::format("The data end at {} {} in {} rows, where the model that describes the "
                          "others goes beyond: the instrument is saturated. Leave the values of "
                          "these rows empty, or measure again in a wider range.",
-                         level, data.unit, others.least_rows + others.largest_rows);
+                         level, data.unit, others.least.rows + others.largest.rows);
     }
   }
   return "";

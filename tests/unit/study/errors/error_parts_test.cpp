@@ -36,6 +36,16 @@ Signals scaled_signals(double shear, double force) {
   return signals;
 }
 
+TEST(ErrorParts, signals_carry_the_errors_of_water_and_of_thin_layers) {
+  ErrorFloors floors;
+  floors.thin_layers = 0.02;
+  EXPECT_EQ(relative_floor(floors, "current_top", "A"), 0.02);
+  EXPECT_EQ(relative_floor(floors, "normal_force", "N"), 0);
+  floors.decoupling = 0.03;
+  EXPECT_NEAR(relative_floor(floors, "charge_top", "C"), 0.05, 1e-15);
+  EXPECT_EQ(relative_floor(floors, "normal_force", "N"), 0);
+}
+
 TEST(ErrorParts, add_up_to_the_error) {
   const Signals base = scaled_signals(1, 1), mesh = scaled_signals(1.02, 1.01),
                 path = scaled_signals(1.022, 1.01);
