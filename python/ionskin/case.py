@@ -94,8 +94,7 @@ class Case:
         return cls(text, os.path.join(os.fspath(folder), "case.toml")).check()
 
     def check(self) -> "Case":
-        """Checks the whole case and returns it. Raises CaseError with every mistake, in values and in how they fit
-        together."""
+        """Checks the whole case and returns it. Raises CaseError with every mistake, in values and in how they fit together."""
         solver.load().values(self)
         return self
 
@@ -126,8 +125,7 @@ class Case:
         return iter(solver.load().values(self))
 
     def value(self, key: str) -> Value:
-        """Value of a key, with its unit and origin. Raises CaseError when the key is unknown or has no value in this
-        case."""
+        """Value of a key, with its unit and origin. Raises CaseError when the key is unknown or has no value in this case."""
         found = self._find(key)
         if found is None:
             raise CaseError(_no_such_key(key))

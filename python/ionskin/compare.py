@@ -29,8 +29,7 @@ def flat(value, prefix=""):
 
 
 def with_all_sliders(results):
-    """Case of a run as a nested dict; with several sliders each entry of the list "slider" holds its own motion and
-    contact."""
+    """Case of a run as a nested dict; with several sliders each entry of the list "slider" holds its own motion and contact."""
     if len(results.sliders) == 1:
         return results.case
     entries = [case["slider"] | {name: case.get(name, {}) for name in SHARED} for case in results.sliders]
@@ -138,8 +137,8 @@ def with_error(run, name):
 
 
 def metric_lines(first, second, tolerance):
-    """Metrics that differ, as rows of texts: words, both values with their errors, relative difference, verdict, name
-    in files."""
+    """Metrics that differ, as rows of texts: words, both values with their errors,
+    relative difference, verdict, name in files."""
     return [(quantities.words(name), with_error(first, name), with_error(second, name), "–" if None in (one, two) else percent(gap),
              verdict(first, second, name), name) for name, one, two, _, gap in metrics(first, second, tolerance)]
 

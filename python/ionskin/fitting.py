@@ -41,7 +41,7 @@ class FitModel:
         time      array [rows]: strictly ascending instants [s]
         values    array [rows]: the signal in its SI unit; rows with NaN or infinity are ignored
         column    name of the signal: a current, a charge or the voltage as in signals.csv, or such a signal of a taxel as in
-                  taxels.csv. A current is the mean since the row before; a voltage, too, where all rows are equally spaced
+                  taxels.csv. A current is the mean since the row before; a voltage, too, in data that come at one rate
         progress  called with (activity, finished fraction in [0, 1]); None for no calls
 
         Raises CaseError when the data or the column cannot be used, SolverError, and KeyboardInterrupt.

@@ -18,8 +18,8 @@ MARKED = 4  # decades that stand beside the Nyquist curve, at most
 
 
 def nyquist(spectrum):
-    """Nyquist plot of a spectrum (Table of impedance.csv): minus imaginary over real part [ohm], decades of frequency
-    marked."""
+    """Nyquist plot of a spectrum (Table of impedance.csv): minus imaginary over real
+    part [ohm], decades of frequency marked."""
     real, imaginary = spectrum["impedance_real"], -spectrum["impedance_imaginary"]
     figure, axes = style.stacked(1, heights=[1.7])
     panel = axes[0]

@@ -20,8 +20,7 @@ LARGEST_SUMMARY = 64 << 20  # a warning for each instant of a long motion
 
 
 class Metric(NamedTuple):
-    """Scalar result of a run, as in summary.json: its value, None when not finite, and its SI unit, "1" for pure
-    numbers."""
+    """Scalar result of a run, as in summary.json: its value, None when not finite, and its SI unit, "1" for pure numbers."""
 
     value: float | None
     unit: str
@@ -74,8 +73,7 @@ class Table:
 
 
 def name_and_unit(title):
-    """Splits the title of a column into name and unit: "slider.start[0] [m]" gives ("slider.start[0]", "m"); "" for no
-    unit."""
+    """Splits the title of a column into name and unit: "slider.start[0] [m]" gives ("slider.start[0]", "m"); "" for no unit."""
     name, opening, unit = title.rpartition(" [")
     return (name, unit.removesuffix("]")) if opening else (title, "")
 
@@ -108,8 +106,7 @@ def _table(needs, header, *rows):
 
 
 def read_json(path):
-    """Reads a JSON file that holds an object, as a dict; {} when the file is missing. Raises CaseError when it is
-    damaged."""
+    """Reads a JSON file that holds an object, as a dict; {} when the file is missing. Raises CaseError when it is damaged."""
     try:
         found = files.read_json(path, LARGEST_SUMMARY)
     except FileNotFoundError:
@@ -220,13 +217,11 @@ class Results:
 
     @property
     def not_converging(self) -> dict[str, str]:
-        """Metrics that do not converge under refinement of mesh or time step, as a dict of name to the reason; {} for
-        none."""
+        """Metrics that do not converge under refinement of mesh or time step, as a dict of name to the reason; {} for none."""
         return self.summary.get("not_converging", {})
 
     def stated_error(self, name):
-        """Reported error estimate of a metric, in the metric's unit; None when it has none or the metric does not
-        converge."""
+        """Reported error estimate of a metric, in the metric's unit; None when it has none or the metric does not converge."""
         parts = self.summary.get("error_parts", {}).get(name)
         return None if parts is None or name in self.not_converging else sum(parts.values())
 
@@ -264,8 +259,8 @@ class Results:
         return open_hdf5(self.folder / "results.h5")
 
     def phases(self):
-        """Phases of the motion in order of time, as a list of PhaseSpan; [] for runs from a strain file and for
-        unfinished runs."""
+        """Phases of the motion in order of time, as a list of PhaseSpan; [] for runs from
+        a strain file and for unfinished runs."""
         if "phase" not in self.signals:
             return []
         time, cycle, phase = (self.signals[name] for name in ("time", "cycle", "phase"))

@@ -8,8 +8,7 @@ from types import ModuleType
 
 
 def load() -> ModuleType:
-    """Loads and returns the compiled extension module `_ionskin_solver`. Raises ImportError, with the remedy, without
-    it."""
+    """Loads and returns the compiled extension module `_ionskin_solver`. Raises ImportError, with the remedy, without it."""
     _own_interrupt()
     with contextlib.suppress(ModuleNotFoundError):
         importlib.import_module("ionskin_program")  # of a wheel: says where its units are

@@ -86,15 +86,14 @@ class Sweep:
         return numpy.array([point.values[key] for point in self.points])
 
     def metric(self, name):
-        """Values of a metric, as an array [points] in SI units; NaN where a point lacks it. Raises KeyError for unknown
-        names."""
+        """Values of a metric, as an array [points] in SI units; NaN where a point lacks
+        it. Raises KeyError for unknown names."""
         if name not in self.units:
             raise KeyError(f"{name} is not a metric of this sweep; it has {', '.join(self.units) or 'none yet'}")
         return numpy.array([point.metrics.get(name, numpy.nan) for point in self.points])
 
     def result(self, index):
-        """Reads the Results of a point; `index` is its index in `points`. Raises FileNotFoundError when it has not
-        finished."""
+        """Reads the Results of a point; `index` is its index in `points`. Raises FileNotFoundError when it has not finished."""
         return Results(self.points[index].folder, self._keep)
 
     def to_xarray(self):
@@ -208,8 +207,7 @@ class Study:
         return ", ".join(f"{symbol(key)} = {value_text(member.values[key], unit)}" for key, unit in self.sweep.keys.items())
 
     def panel_label(self, member):
-        """Title of a member's small panel: symbol and value of the key, in a scattered study behind the number of the
-        point."""
+        """Title of a member's small panel: symbol and value of the key, in a scattered study behind the number of the point."""
         if not self.scattered:
             return self.label(member)
         return f"point {member.number}, {symbol(self.key)} = {value_text(member.value, self.unit)}"
@@ -227,8 +225,7 @@ class Study:
                 for member in self.members]
 
     def errors(self, name):
-        """Reported relative error estimates [1] of a metric, as a list with one number for each member; 0 where it has
-        none."""
+        """Reported relative error estimates [1] of a metric, as a list with one number for each member; 0 where it has none."""
         return [0.0 if name in member.results.not_converging
                 else member.results.summary.get("error_estimate", {}).get(name) or 0.0 for member in self.members]
 

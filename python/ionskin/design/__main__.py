@@ -15,8 +15,8 @@ RANGE = re.compile(r"\s*([^=]+?)\s*=\s*([^:]+):\s*([-+.\deE]+)\s*(.*?)\s*")
 
 
 def free_range(text: str) -> tuple[str, tuple[str, str]]:
-    """Reads "KEY=50:500 um" as the key and the texts of both ends; one unit, behind the second, serves both. Raises
-    CaseError."""
+    """Reads "KEY=50:500 um" as the key and the texts of both ends; one unit, behind the
+    second, serves both. Raises CaseError."""
     match = RANGE.fullmatch(text)
     if not match:
         raise CaseError(f'"{text}" is not a range\n  = write KEY=LOWEST:HIGHEST UNIT, such as '

@@ -35,8 +35,8 @@ class Constraint(NamedTuple):
         return self.sign.startswith("=")
 
     def margin(self, metrics: dict) -> float:
-        """Margin of the constraint, as a share of the bound [1]: at least 0 where an inequality holds, 0 where an
-        equality holds."""
+        """Margin of the constraint, as a share of the bound [1]: at least 0 where an
+        inequality holds, 0 where an equality holds."""
         gap = (metrics[self.metric] - self.bound) / (abs(self.bound) or 1.0)
         return gap if self.equal or self.sign.startswith(">") else -gap
 
@@ -97,8 +97,8 @@ class Design:
         return Trial(number, values, case.check())
 
     def ask(self) -> list[Trial]:
-        """Returns the trials to evaluate next; [] when the search has ended. Raises CaseError when too few evaluations
-        gave a result."""
+        """Returns the trials to evaluate next; [] when the search has ended. Raises CaseError
+        when too few evaluations gave a result."""
         open_ = [trial for trial in self.trials if trial.number not in self.outcomes]
         if open_ or len(self.trials) >= self.budget or self.radius < SMALLEST:
             return open_
@@ -163,8 +163,7 @@ class Design:
             self.radius = min(LARGEST, self.radius * GROW)
 
     def best(self) -> tuple[Trial, dict] | None:
-        """Best trial so far that meets every constraint, with a dict of its metrics in SI units; None where no trial
-        does."""
+        """Best trial so far that meets every constraint, with a dict of its metrics in SI units; None where no trial does."""
         rows = [number for number, outcome in self.outcomes.items() if not outcome.reason and self._missed(number) <= TOLERANCE]
         if not rows:
             return None

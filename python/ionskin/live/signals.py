@@ -84,8 +84,8 @@ class Signals(Mapping):
 
     @property
     def outside(self):
-        """True where a step was outside the trained range of position, load, speed or pose; a boolean, or an array like
-        `flags`."""
+        """True where a step was outside the trained range of position, load, speed or
+        pose; a boolean, or an array like `flags`."""
         return (self.flags & (OUTSIDE_PLACE | OUTSIDE_LOAD | OUTSIDE_SPEED | OUTSIDE_POSE)) != 0
 
     def __repr__(self) -> str:

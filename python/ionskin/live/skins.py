@@ -73,8 +73,7 @@ class Skins:
 
     @property
     def skin(self) -> Skin:
-        """Skin of the same file, which has its trained range, taxels and errors; stepping it does not move the
-        environments."""
+        """Skin of the same file, which has its trained range, taxels and errors; stepping it does not move the environments."""
         return self._skin
 
     def step(self, times, positions, *, heights=None, forces=None, angles=None, out: numpy.ndarray | None = None,

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""report.html of a sweep, and the charts to explore in that of a run: offline, with data and script inside."""
+"""HTML report of a sweep, and the interactive charts in the report of a run, without a
+network: data and script are in the page."""
 
 import re
 
@@ -27,7 +28,7 @@ COLUMNS = ["peak_sampled_current_difference", "peak_voltage", "peak_mean_shear",
 
 
 def member_data(study, member):
-    """Data of one run for the charts: signals at the sampled rows, sampled currents, phases."""
+    """Data of one Member for the interactive charts: signals and currents at the readout's instants, phases."""
     results = member.results
     time = results.sampled["time"]
     rounding = ("current_",) if carries_nothing(results) else ("current_difference",) if is_open(results) else ()  # columns of nothing else
@@ -48,7 +49,7 @@ def member_data(study, member):
 
 
 def axes(study):
-    """Axes that the charts of metrics can run along: the study's key first, of a scattered one every swept number."""
+    """Data of the axes for charts of metrics: the study's key, and in a scattered study every swept key that is a number."""
     keys = [study.key, *(key for key in study.numeric_keys if key != study.key)] if study.scattered else [study.key]
     return [{"name": study.axis_label(key).split(" [")[0], "axis": study.axis_label(key),
              "unit": study.sweep.keys.get(key, "1") if study.sweep else "1",
@@ -56,7 +57,7 @@ def axes(study):
 
 
 def data(study):
-    """Everything the script draws."""
+    """Data of the script that draws the interactive charts of a Study."""
     metrics = [{"name": quantities.words(name), "unit": study.typical.results.metrics[name].unit, "values": rounded(study.metric(name))}
                for name in AGAINST if name in study.typical.results.metrics]
     return {"keys": axes(study), "scattered": study.scattered,
@@ -128,7 +129,8 @@ def readable(study):
 
 
 def answer(study):
-    """The sentences that the page opens with: how the reading between the electrodes follows the key, and where it is largest."""
+    """The sentences that the page opens with: how the reading between the electrodes
+    follows the key, and where it is largest."""
     name = readable(study)
     if name is None:
         return [study.note] if study.note else []

@@ -19,13 +19,13 @@ SURROGATE_SAMPLES = 20000
 
 
 class Analysis(NamedTuple):
-    """Statistics of one metric over the samples of an uncertainty study, in the metric's SI unit.
+    """Statistics of one metric over the samples of an uncertainty study.
 
-    mean, deviation   mean and standard deviation of the samples
-    quantiles         dict of probability to quantile: of the surrogate where it is valid, else of the samples
+    mean, deviation   mean and standard deviation of the samples, in the metric's SI unit
+    quantiles         dict of probability to quantile: of the surrogate where it is valid, else of the samples, in this unit
     q2                predictive coefficient Q2 of the surrogate, 1 minus the share of the variance that it misses at points that
                       it has not seen; None for a metric that does not vary
-    leave_one_out     corrected leave-one-out error of the surrogate, as a share of the variance; None likewise
+    leave_one_out     corrected leave-one-out error of the surrogate, as a share of the variance; None as for q2
     degree, terms     polynomial degree of the surrogate, and its number of terms without the constant
     first, total      dict of key to first-order and total Sobol' index as (index, lower, upper), with the ends of the 95 %
                       interval; {} where the surrogate is refused
@@ -142,8 +142,8 @@ class Uncertainty:
         return rows, numpy.array([self.outcomes[number].metrics[name] for number in rows])
 
     def analyse(self) -> dict[str, Analysis]:
-        """Analyses the results given so far and returns a dict of metric name to Analysis. Raises CaseError for less
-        than 16 results."""
+        """Analyses the results given so far and returns a dict of metric name to Analysis.
+        Raises CaseError for less than 16 results."""
         return {name: self._analysis(*self.data(name)) for name in self.chosen_metrics()}
 
     def _analysis(self, rows, data) -> Analysis:

@@ -143,8 +143,7 @@ def unit_by_name(column):
 
 
 def instants(found, notes):
-    """Array [rows] of seconds since the first time stamp, and that stamp [s]. Raises CaseError without a column of
-    times."""
+    """Array [rows] of seconds since the first time stamp, and that stamp [s]. Raises CaseError without a column of times."""
     if "seconds" in found and "nanoseconds" in found:
         seconds, nanoseconds = found["seconds"], found["nanoseconds"]
         notes.append(f"time: {seconds.name} and {nanoseconds.name}")

@@ -7,8 +7,8 @@ FEW = 20  # rows, which tell no noise
 
 
 def noise(force):
-    """Standard deviation of the noise of a force [rows] [N], by its second differences, most of which are noise; 0 for
-    few rows."""
+    """Standard deviation of the noise of a force [rows] [N], by its second differences,
+    most of which are noise; 0 for few rows."""
     return 1.4826 * float(numpy.median(numpy.abs(numpy.diff(force, 2)))) / numpy.sqrt(6) if len(force) >= FEW else 0.0
 
 
