@@ -24,8 +24,8 @@
 
 namespace {
 
-/// Replaces this process by a program beside it with the same arguments. `make demo` builds the
-/// solver alone.
+/// Replaces this process by another program of ionskin in the same folder, with the same arguments.
+/// Throws UserError when the program cannot be started, as in a build that lacks it.
 int become(const char* name, char** argv) {
   const auto program = ionskin::base::installation().solver.parent_path() / name;
   const auto self = std::filesystem::canonical("/proc/self/exe");

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A case to read, change and run."""
+"""Cases: the input of a run, read from a TOML file or text, changed key by key, checked and run."""
 
 import json
 import numbers
@@ -20,12 +20,12 @@ LIST_ENTRY = re.compile(r"(?P<list>.+)\[(?P<index>\d+)\]")  # slider.start[0]
 
 
 class Value(NamedTuple):
-    """One value of a case.
+    """Value of one key of a case, with its unit and where it comes from.
 
-    value    SI number, list of SI numbers, or text
-    unit     SI unit; "1" for pure numbers and texts
-    origin   "file", "--set" (changed here), "default" or "preset" (of a material)
-    written  as it stands in the case
+    value    number in SI units, list of such numbers, or text
+    unit     SI unit of the value; "1" for pure numbers and texts
+    origin   "file" (the case file), "--set" (changed on this Case), "default" (of ionskin), or "preset" (of a material)
+    written  text of the value as the case has it, such as "0.5 um"
     """
 
     value: Any
@@ -35,9 +35,12 @@ class Value(NamedTuple):
 
 
 def toml_text(value: Any, unit: str) -> str:
-    """A Python value as TOML: numbers get the SI unit, texts are quoted, sequences become arrays.
+    """Writes a Python value as TOML: numbers with their SI unit, texts in quotes, sequences as arrays.
 
-    Raises TypeError for anything else.
+    value  number in SI units, text, or a list, tuple or numpy array of them
+    unit   SI unit that is written behind each number; "" or "1" for pure numbers
+
+    Raises TypeError for any other type of value.
     """
     if isinstance(value, str):
         return json.dumps(value, ensure_ascii=False)
@@ -50,27 +53,32 @@ def toml_text(value: Any, unit: str) -> str:
 
 
 class Case:
-    """A case: the text of a case file and the changes made to it.
+    """Case, the input of a run: the text of a case file (TOML) and the changes made to its keys, which are indexed by name.
 
-    case["contact.friction"] = 0.2         a number in SI units
-    case["motion.preload"] = "0.5 um"      or a text with its unit
-    case["skin.layers[1].thickness"]       1.8e-4; SI number, list of them, or text
-    case["slider.start[0]"]                4.5e-3; one entry of a list, to read and to set
-    case["readout.taxels"] = {"rows": 4, "columns": 4}   a table, or a list of tables
+    case["contact.friction"] = 0.2         sets a number in SI units
+    case["motion.preload"] = "0.5 um"      sets a quantity from a text with a unit
+    case["skin.layers[1].thickness"]       1.8e-4; reads a number in SI units, a list of them, or a text
+    case["slider.start[0]"]                4.5e-3; reads one entry of a list, which can be set as well
+    case["readout.taxels"] = {"rows": 4, "columns": 4}   sets a table, or a list of tables
 
-    A wrong key or value raises CaseError at once. Values that do not fit together, and missing ones, raise it when
-    the case is used: by `check`, `run`, `sweep`, or reading back.
+    Setting an unknown key, or a value of the wrong type, unit or range, raises CaseError and leaves the case as it was.
+    Missing values, and values that do not fit together, raise CaseError when the case is used: by `check`, `run`, `sweep`, or
+    when a key is read. `key in case` is True for keys that have a value; iterating over a case gives these keys.
     """
 
     def __init__(self, text: str, path: str = "case.toml") -> None:
-        """text: TOML as in a case file. path: names it in messages; files that it names lie in the same folder."""
+        """Makes a case of a text and checks each value on its own. Raises CaseError.
+
+        text  TOML as in a case file
+        path  name of the case in messages; its folder is where files that the case names are looked for
+        """
         self._original, self._path = text, path
         self._edits: dict[str, str] = {}
         solver.load().check_values(self)
 
     @classmethod
     def from_file(cls, path: str | os.PathLike) -> "Case":
-        """Reads and checks a case file. Raises CaseError."""
+        """Reads a case file and checks it as a whole. Raises CaseError when it cannot be read or holds mistakes."""
         try:
             text = files.read_text(path, LARGEST)
         except OSError as error:
@@ -79,16 +87,19 @@ class Case:
 
     @classmethod
     def from_text(cls, text: str, folder: str | os.PathLike = ".") -> "Case":
-        """Takes the text of a case; files that it names are looked for in `folder`. Raises CaseError."""
+        """Makes a case of TOML text and checks it as a whole; files that it names are looked for in `folder`.
+
+        Raises CaseError when it holds mistakes.
+        """
         return cls(text, os.path.join(os.fspath(folder), "case.toml")).check()
 
     def check(self) -> "Case":
-        """Checks the whole case and returns it. Raises CaseError with every mistake."""
+        """Checks the whole case and returns it. Raises CaseError with every mistake, in values and in how they fit together."""
         solver.load().values(self)
         return self
 
     def copy(self) -> "Case":
-        """A case of its own with the same values."""
+        """Makes an independent case with the same text and changes."""
         twin = Case.__new__(Case)  # the text was checked when this one was made
         twin._original, twin._path, twin._edits = self._original, self._path, dict(self._edits)
         return twin
@@ -114,7 +125,7 @@ class Case:
         return iter(solver.load().values(self))
 
     def value(self, key: str) -> Value:
-        """The value of a key with its unit and origin. Raises CaseError for keys that the case does not have."""
+        """Value of a key, with its unit and origin. Raises CaseError when the key is unknown or has no value in this case."""
         found = self._find(key)
         if found is None:
             raise CaseError(_no_such_key(key))
@@ -132,12 +143,12 @@ class Case:
         return whole._replace(value=number, written=toml_text(number, whole.unit))
 
     def values(self) -> dict[str, Value]:
-        """Every value of the case by key, defaults and material presets included."""
+        """All values of the case by key, including defaults and values of material presets. Raises CaseError."""
         return {key: Value(*value) for key, value in solver.load().values(self).items()}
 
     @property
     def text(self) -> str:
-        """The TOML text with all changes in place; comments and order are kept."""
+        """TOML text of the case with all changes written into it; comments and the order of keys are kept."""
         return solver.load().case_text(self)
 
     def _edit_list(self) -> list[str]:
@@ -149,7 +160,7 @@ class Case:
 
 
 def _text_of(key: str, value: Any) -> str:
-    """A value of a key as TOML; a table, or a list of tables, by the keys of its entries."""
+    """Writes the value of a key as TOML; numbers within a table, or a list of tables, get the units of their own keys."""
     if isinstance(value, Mapping):
         return "{" + ", ".join(f"{name} = {_text_of(f'{key}.{name}', entry)}" for name, entry in value.items()) + "}"
     if isinstance(value, (list, tuple)) and value and all(isinstance(entry, Mapping) for entry in value):

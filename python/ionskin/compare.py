@@ -19,7 +19,7 @@ LONGEST_TITLE = 24
 
 
 def flat(value, prefix=""):
-    """A nested case as one dictionary: {"skin.layers[0].name": "..."}."""
+    """Flattens a nested case to one dictionary by full key: {"skin.layers[0].name": "..."}."""
     if isinstance(value, dict):
         return {key: entry for name, inner in value.items()
                 for key, entry in flat(inner, f"{prefix}.{name}" if prefix else name).items()}
@@ -29,7 +29,7 @@ def flat(value, prefix=""):
 
 
 def with_all_sliders(results):
-    """The case of a run; of several sliders each entry of the list holds its motion and contact."""
+    """Case of a run as a nested dict; with several sliders each entry of the list "slider" holds its own motion and contact."""
     if len(results.sliders) == 1:
         return results.case
     entries = [case["slider"] | {name: case.get(name, {}) for name in SHARED} for case in results.sliders]
@@ -37,7 +37,10 @@ def with_all_sliders(results):
 
 
 def parameters(first, second, defaults):
-    """Rows of key and both values, as texts, where the cases differ. What a case leaves out has its default."""
+    """Differences of the cases of two Results, as rows (key, first value, second value) of texts.
+
+    defaults  dict of key, with [] for indices, to the value that it has in a case that leaves it out
+    """
     one, two = flat(with_all_sliders(first)), flat(with_all_sliders(second))
     rows = []
     for key in dict.fromkeys([*one, *two]):
@@ -48,20 +51,23 @@ def parameters(first, second, defaults):
 
 
 def given(case, key, default):
-    """The value of a key in a case as a text, with a word where the case leaves it out."""
+    """Text of a key's value in a flattened case; "... (default)" or "not given" where the case leaves it out."""
     if key in case:
         return repr(case[key])
     return "not given" if default is None else f"{default!r} (default)"
 
 
 def relative(first, second):
-    """Difference over the larger magnitude; 0 for two zeros."""
+    """Relative difference of two numbers, |first - second| / max(|first|, |second|) [1]; 0 for two zeros."""
     scale = max(abs(first), abs(second))
     return abs(first - second) / scale if scale else 0.0
 
 
 def metrics(first, second, tolerance):
-    """Rows of name, both values, unit and relative difference where it exceeds the tolerance."""
+    """Metrics of two Results that differ, as rows (name, first value, second value, unit, relative difference).
+
+    tolerance  relative difference [1] up to which values count as equal. A value is None where a run has none
+    """
     rows = []
     for name in dict.fromkeys([*first.metrics, *second.metrics]):
         one, two = first.metrics.get(name), second.metrics.get(name)
@@ -73,7 +79,10 @@ def metrics(first, second, tolerance):
 
 
 def verdict(first, second, name):
-    """Verdict of the stated errors of both runs on the difference of a metric; "" without any."""
+    """Verdict on the difference of a metric between two Results, by the sum of both reported error estimates.
+
+    "within the stated errors", "beyond the stated errors", "does not converge", or "" where a run has no error estimate.
+    """
     if name in first.not_converging or name in second.not_converging:
         return "does not converge"
     errors = [run.stated_error(name) for run in (first, second)]
@@ -84,7 +93,13 @@ def verdict(first, second, name):
 
 
 def exceeding(first, second, table, name, time):
-    """Share of the instants at which two signals differ by more than both stated errors; None without those."""
+    """Share of instants at which a signal of two Results differs by more than the sum of both reported error estimates [1].
+
+    table, name  table and column of the signal
+    time         instants of the first run that the second run covers [s]
+
+    None where a run has no error estimate of the signal.
+    """
     errors = [run.errors.get(table) for run in (first, second)]
     if any(error is None or name not in error for error in errors):
         return None
@@ -95,8 +110,11 @@ def exceeding(first, second, table, name, time):
 
 
 def signals(first, second, tolerance):
-    """Rows of table, name, largest difference, that over the peak, and share of instants beyond both stated errors
-    (None without those), at the first run's instants both runs cover."""
+    """Signals of two Results that differ, as rows (table, name, largest difference, its ratio to the peak, share).
+
+    The share is that of `exceeding`, None without error estimates. Signals are compared at the instants of the first run that
+    both runs cover. `tolerance` is the ratio to the peak [1] up to which signals count as equal.
+    """
     rows = []
     for table in ("signals", "sampled"):
         one, two = getattr(first, table), getattr(second, table)
@@ -112,20 +130,21 @@ def signals(first, second, tolerance):
 
 
 def with_error(run, name):
-    """A metric of a run with its stated error, "491 µA ± 5 %"; "–" where the run has no such metric."""
+    """Text of a metric with its reported error estimate, such as "491 µA ± 5 %"; "–" where the run has no such metric."""
     if name not in run.metrics:
         return "–"
     return f"{report_text.value(run, name)} {report_text.error(run, name)}".strip()
 
 
 def metric_lines(first, second, tolerance):
-    """Rows of words, both values with their errors, the difference, the verdict by the errors, and the name in files."""
+    """Metrics that differ, as rows of texts: words, both values with their errors,
+    relative difference, verdict, name in files."""
     return [(quantities.words(name), with_error(first, name), with_error(second, name), "–" if None in (one, two) else percent(gap),
              verdict(first, second, name), name) for name, one, two, _, gap in metrics(first, second, tolerance)]
 
 
 def signal_lines(first, second, tolerance):
-    """Rows of words, the largest difference and its part of the peak, the verdict by the errors, and the name in files."""
+    """Signals that differ, as rows of texts: words, largest difference, its ratio to the peak, verdict, name in files."""
     def remark(share):
         if share is None:
             return ""
@@ -136,7 +155,12 @@ def signal_lines(first, second, tolerance):
 
 
 def report(first, second, tolerance, defaults=None):
-    """The differences as lines of text."""
+    """Differences of two runs as lines of text.
+
+    first, second  Results
+    tolerance      relative difference [1] up to which values count as equal
+    defaults       dict of key to its default, as `parameters` takes it; None for no defaults
+    """
     titles = [short(run.folder.name or str(run.folder), LONGEST_TITLE) for run in (first, second)]
     lines = []
     for heading, titled, rows in (

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Errors of the package, with the messages of the program. An interrupt is Python's own KeyboardInterrupt."""
+"""Exceptions of the package, with the messages of the program. An interrupt (Ctrl-C) is Python's own KeyboardInterrupt."""
 
 import contextlib
 import os
@@ -7,13 +7,16 @@ import sys
 
 
 class CaseError(ValueError):
-    """The case, a file or a setting is wrong; nothing was computed. The message says what, where, and the remedy."""
+    """Error of the user: the case, a file or a setting is wrong, and nothing was computed.
+
+    The message says what is wrong, where, and the remedy.
+    """
 
 
 class SolverError(RuntimeError):
-    """A solver gave up on a valid case; what was finished is kept in the output folder.
+    """Error of a solver that gave up on a valid case; finished parts stay in the output folder.
 
-    remedy  what can be changed
+    remedy  text that says what the user can change; "" for none
     """
 
     def __init__(self, what_happened: str, remedy: str = "") -> None:
@@ -31,7 +34,7 @@ def _restored_solver_error(message: str, remedy: str) -> SolverError:
 
 
 def in_words(error: Exception) -> str:
-    """Message of an error; of the system's it names the file and the remedy."""
+    """Message of an exception for the user; for an error of the operating system with the file's name and a remedy."""
     if isinstance(error, OSError) and error.strerror:
         place = error.filename2 or error.filename
         where = f"{os.fsdecode(place)}: " if isinstance(place, (str, bytes, os.PathLike)) else ""
@@ -41,7 +44,7 @@ def in_words(error: Exception) -> str:
 
 @contextlib.contextmanager
 def exit_on(*kinds):
-    """Ends a program at an error of these kinds as ionskin ends at the user's mistake: with its message and code 2."""
+    """Context of a command line program: at an exception of these kinds prints its message and exits with code 2."""
     try:
         yield
     except kinds as error:

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The figures of one run. Each function takes Results and returns a Chart, None without its data, or in words what the
-run would need for it."""
+"""The figures of one run. Each function takes Results and returns a Chart, None without its
+data, or in words what the run would need for it."""
 
 from typing import Callable, NamedTuple
 
@@ -18,7 +18,7 @@ OPEN = "no current passes between open electrodes"
 
 
 def motion(results):
-    """Prescribed position of the sliders and their phases."""
+    """Figure of the prescribed position of the sliders over time, with the phases of the motion."""
     signals = results.signals
     if not signals.has("slider_x", "slider_z"):
         return None
@@ -37,14 +37,14 @@ def motion(results):
 
 
 def named_sliders(results):
-    """Name, suffix of the signals and colour of every slider; the only one needs no name."""
+    """Name, suffix of its signals and colour of each slider, as a list; the name is "" for a single slider."""
     count = len(results.sliders)
     return [(f"slider {number + 1}" if count > 1 else "", suffix(number), colour)
             for number, colour in zip(range(count), (BLUE, ORANGE, GREEN, PURPLE))]
 
 
 def shear(results):
-    """Shear of the core: mean, spread and first moment over the thickness."""
+    """Figure of the shear of the core over time: mean, spread, and first moment over the thickness."""
     signals = results.signals
     if not signals.has("mean_shear"):
         return None
@@ -59,7 +59,7 @@ def shear(results):
 
 
 def forces(results):
-    """Normal and tangential force of every slider on the full skin."""
+    """Figure of the normal and tangential force of every slider on the full skin over time."""
     signals = results.signals
     if not signals.has("normal_force"):
         return None
@@ -76,7 +76,8 @@ def forces(results):
 
 
 def currents(results):
-    """Currents of both electrodes, and the difference current, which an ammeter between them carries."""
+    """Figure of the currents of both electrodes over time, with their difference, which an
+    ammeter between them reads, and common part."""
     signals, sampled = results.signals, results.sampled
     if not signals.has("current_top"):
         return None
@@ -110,7 +111,7 @@ def reading(results):
 
 
 def charge(results):
-    """Charge on the metal of both electrodes."""
+    """Figure of the charge on the metal of both electrodes over time."""
     signals = results.signals
     if not signals.has("charge_top"):
         return None
@@ -123,7 +124,7 @@ def charge(results):
 
 
 def join_time(results):
-    """Instant at which the onset joins steady sliding in the first cycle [s], or None."""
+    """Instant at which the computed onset of sliding joins steady sliding in the first cycle [s]; None without an onset."""
     if not (results.folder / "results.h5").exists():
         return None
     with results.open_fields() as file:
@@ -133,7 +134,7 @@ def join_time(results):
 
 
 def join(results):
-    """The difference current where the onset of sliding joins steady sliding: it must not jump."""
+    """Figure of the difference current where the onset of sliding joins steady sliding, at which it must not jump."""
     signals = results.signals
     start, joined = slide_start(results), join_time(results)
     if joined is None or not signals.has("current_difference"):
@@ -152,7 +153,7 @@ def join(results):
 
 
 def relaxation(results):
-    """Share of the difference charge that is left when the next cycle begins."""
+    """Figure of the difference charge over each cycle, which shows the share that is left when the next cycle begins."""
     signals = results.signals
     spans = results.phases()
     if not spans or not signals.has("charge_top"):
@@ -181,14 +182,14 @@ def relaxation(results):
 
 
 def cycle_looks(spans):
-    """Pairs of cycle and (colour, look), in order; later cycles are dashed, as they may coincide."""
+    """Pairs of cycle and (colour, look of the line), in order; later cycles are dashed, since cycles may coincide."""
     cycles = sorted({span.cycle for span in spans})
     colours, looks = [BLUE, ORANGE, GREEN, PURPLE], ["", "dashed", "dotted"]
     return [(cycle, (colours[i % 4], looks[min(i, 2)])) for i, cycle in enumerate(cycles)]
 
 
 class Entry(NamedTuple):
-    """One figure of the report."""
+    """Figure of the report of a run: name, heading and caption, and the function that makes its Chart of Results."""
 
     name: str
     heading: str

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Results of a fit."""
+"""Results of a fit of keys of a case to measured data."""
 
 import json
 import pathlib
@@ -11,10 +11,15 @@ from .results import read_json, read_table, whole
 
 
 class Estimate(NamedTuple):
-    """One fitted key: its value with the ends of its 95 % interval, in the SI unit.
+    """Estimate of one fitted key.
 
-    Ends that the data do not tell are None. log_standard_error: of the logarithm of the value; None likewise, and of a
-    key of the data (data.time_shift, ...), whose interval is symmetric.
+    value                fitted value, in SI units
+    unit                 SI unit; "1" for pure numbers
+    lower_95, upper_95   ends of the 95 % confidence interval, in SI units; None where the data do not determine the end
+    log_standard_error   standard error of the logarithm of the value [1]; None where the data do not determine it, and for
+                         parameters of the data (data.time_shift, ...), whose interval is symmetric
+    start                value from which the fit started, in SI units
+    at_bound             True if the value lies at a bound of the range that the key may have
     """
 
     value: float
@@ -27,16 +32,19 @@ class Estimate(NamedTuple):
 
 
 class Fit:
-    """A fit: estimates, statistics, and the fitted rows.
+    """Result of a fit: estimates of the keys, statistics, and the fitted signal. `fit["KEY"]` is the fitted value of a key.
 
-    parameters              Estimate by key
-    time, measured, fitted  arrays [rows], SI; `column` and `unit` say of what
-    fitted_error            stated numerical error of `fitted`, array [rows]; None where there is none
-    correlation             array [parameters, parameters] of the estimates
-    condition_number        of the derivatives by the logarithms of the parameters; None when singular
-    warnings                what a reader must know
-    summary                 dict, as in fit.json
-    folder                  where the results are; None when nothing was written
+    parameters        dict of key to Estimate
+    column, unit      name of the fitted signal and its SI unit
+    time              array [rows]: instants [s]
+    measured, fitted  arrays [rows]: the measured signal and the fitted model, in `unit`
+    fitted_error      array [rows]: numerical error estimate of `fitted`, in `unit`; None when the fit has none
+    correlation       array [parameters, parameters]: correlation of the estimates [1]
+    condition_number  condition number of the matrix of derivatives of the signal by the logarithms of the parameters [1];
+                      None when it is singular
+    warnings          list of texts that a reader should know; [] for none
+    summary           dict: contents of fit.json
+    folder            folder of the results; None when nothing was written
     """
 
     def __init__(self, summary: dict[str, Any], time, measured, fitted, folder: pathlib.Path | None = None) -> None:
@@ -51,7 +59,7 @@ class Fit:
 
     @classmethod
     def from_folder(cls, folder) -> "Fit":
-        """Reads the folder of `ionskin fit`. Raises FileNotFoundError when it holds no fit.json."""
+        """Reads a folder of `ionskin fit`. Raises FileNotFoundError without fit.json, CaseError for damaged files."""
         folder = pathlib.Path(folder)
         if not (folder / "fit.json").exists():
             raise FileNotFoundError(f"{folder} holds no fit.json: name the folder of a finished fit")
@@ -65,7 +73,7 @@ class Fit:
 
     @classmethod
     def from_text(cls, text: str, time, measured, fitted) -> "Fit":
-        """Fit made of the text of fit.json and the fitted rows."""
+        """Makes a Fit of the text of fit.json and arrays [rows] of time [s], measured and fitted signal in its SI unit."""
         return cls(json.loads(text), time, measured, fitted)
 
     def __getitem__(self, key: str) -> float:

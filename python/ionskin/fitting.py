@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Fit keys of a case to measured data."""
+"""Fits: values of keys of a case, estimated from measured data by least squares."""
 
 import os
 import threading
@@ -15,28 +15,36 @@ from .running import Progress, solve_settings
 
 
 class FitModel:
-    """A case as a function of a few of its keys, to be fitted to one set of data after another.
+    """Model that is fitted to measured data: a case as a function of some of its keys. It can fit one data set after
+    another.
 
-    free     keys of single real numbers, not 0 in the case, from which the fit starts; their signs stay. Of the data:
-             data.time_shift, data.baseline, data.drift, data.gain, whose starts the fit finds itself
-    threads  at most so many; 0: all processors
-    cache    has no effect any more
+    case     the case; its values are the start of the fit
+    free     names of the keys to fit: keys of single real numbers that are not 0 in the case, whose sign the fit keeps; and
+             parameters of the data: "data.time_shift", "data.baseline", "data.drift", "data.gain", whose starting values the
+             fit finds itself
+    threads  largest number of threads; 0: one for each processor
+    cache    ignored
 
-    The mechanics is solved once where the keys leave it the same, and every solution is kept. Raises CaseError.
+    The mechanics (Study 1) is solved only once when the keys do not change it. Every solution is stored and reused.
+
+    Raises CaseError when the case is wrong or a key cannot be fitted.
     """
 
     def __init__(self, case: Case, free: Sequence[str], *, threads: int = 0, cache: bool = True) -> None:
         self._model = solver.load().FitModel(case, list(free), threads)
 
     def fit(self, time, values, column: str = "current_difference", *, progress: Progress | None = None) -> Fit:
-        """Least squares in the logarithms of the keys of the case, and in those of the data as they are.
+        """Fits the free keys to one measured signal by least squares and returns the Fit.
 
-        time, values  arrays [rows]: strictly ascending instants [s], and the signal in its SI unit; rows with NaN are
-                      passed over
-        column        the signal: a current (mean since the row before), a charge or the voltage, as in signals.csv, or one of
-                      a taxel, as in taxels.csv; a voltage at one rate is a mean since the row before, too
+        Keys of the case are fitted by their logarithms, parameters of the data by their values.
 
-        Raises CaseError, SolverError and KeyboardInterrupt.
+        time      array [rows]: strictly ascending instants [s]
+        values    array [rows]: the signal in its SI unit; rows with NaN or infinity are ignored
+        column    name of the signal: a current, a charge or the voltage as in signals.csv, or such a signal of a taxel as in
+                  taxels.csv. A current is the mean since the row before; a voltage, too, in data that come at one rate
+        progress  called with (activity, finished fraction in [0, 1]); None for no calls
+
+        Raises CaseError when the data or the column cannot be used, SolverError, and KeyboardInterrupt.
         """
         time, values = (numpy.asarray(data, dtype=float) for data in (time, values))
         units = self._model.columns()
@@ -61,15 +69,16 @@ class FitModel:
 def fit(case: Case, data: str | os.PathLike, free: Sequence[str], output: str | os.PathLike, *, column: str = "",
         threads: int = 0, progress: Progress | None = None, overwrite: bool = False, resume: bool = False,
         report: bool = False, cache: bool = True) -> Fit:
-    """Fits keys of a case to a measurement in a file, and writes the results as `ionskin fit` does.
+    """Fits keys of a case to measured data in a file, as `ionskin fit` does, writes the results and returns the Fit.
 
-    data    CSV with units in its header, such as our own signals.csv: time [s],current_difference [uA]
-    free    the keys, see FitModel
-    output  folder: fitted.toml, fit.json, fit.csv, and with `report` the figure
-    column  which signal of the data, where they hold several
-    resume  go on with an interrupted fit of the same case, data and keys in its folder
+    data       CSV file with units in its header, such as: time [s],current_difference [uA]
+    free       names of the keys to fit, as those of FitModel
+    output     folder for fitted.toml, fit.json and fit.csv, and with `report` for the figure
+    column     name of the signal to fit; "" when the data hold only one
+    overwrite  True to replace earlier results in the folder
+    resume     True to continue an interrupted fit of the same case, data and keys in its folder
 
-    Raises CaseError before any work, SolverError and KeyboardInterrupt.
+    `threads`, `progress` and `cache` are those of `run`. Raises CaseError before any work, SolverError, and KeyboardInterrupt.
     """
     settings = solve_settings(os.fspath(output), threads, overwrite, resume, "", report, "fit")
     solver.load().fit_folder(case, os.fsencode(data), column, list(free), settings, progress)

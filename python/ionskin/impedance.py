@@ -18,7 +18,8 @@ MARKED = 4  # decades that stand beside the Nyquist curve, at most
 
 
 def nyquist(spectrum):
-    """Minus the imaginary part over the real part, decades of the frequency marked."""
+    """Nyquist plot of a spectrum (Table of impedance.csv): minus imaginary over real
+    part [ohm], decades of frequency marked."""
     real, imaginary = spectrum["impedance_real"], -spectrum["impedance_imaginary"]
     figure, axes = style.stacked(1, heights=[1.7])
     panel = axes[0]
@@ -39,7 +40,11 @@ def nyquist(spectrum):
 
 
 def decade_rows(frequency, imaginary, ceiling):
-    """The rows nearest to whole decades whose points lie within the picture."""
+    """Rows of a spectrum that are nearest to whole decades of frequency, at most `MARKED` of them.
+
+    frequency, imaginary  arrays [rows]: frequency [Hz], ascending, and minus the imaginary part [ohm]
+    ceiling               rows with a larger `imaginary` are left out, since they lie outside the picture [ohm]
+    """
     decades = 10.0 ** numpy.arange(numpy.ceil(numpy.log10(frequency[0]) - 1e-9),
                                    numpy.floor(numpy.log10(frequency[-1]) + 1e-9) + 1)
     rows = [int(numpy.argmin(numpy.abs(numpy.log(frequency / decade)))) for decade in decades]
@@ -47,7 +52,7 @@ def decade_rows(frequency, imaginary, ceiling):
 
 
 def bode(spectrum):
-    """Magnitude and phase over the frequency."""
+    """Bode plot of a spectrum (the Table of impedance.csv): magnitude [ohm] and phase [deg] over frequency [Hz]."""
     figure, axes = style.stacked(2, heights=[1.1, 0.9])
     axes[0].loglog(spectrum["frequency"], spectrum["magnitude"], color=style.BLUE)
     axes[0].yaxis.set_major_formatter(EngFormatter(unit="Ω"))
@@ -65,7 +70,7 @@ def bode(spectrum):
 
 
 def draw(folder):
-    """Writes figures/nyquist.png and figures/bode.png."""
+    """Draws impedance.csv of a folder into its figures/nyquist.png and figures/bode.png."""
     folder = pathlib.Path(folder)
     spectrum = read_table(folder / "impedance.csv")
     for name, figure in (("nyquist", nyquist(spectrum)), ("bode", bode(spectrum))):

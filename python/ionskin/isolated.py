@@ -14,7 +14,7 @@ MISSING_LIBRARY = 3
 
 
 def reason(error):
-    """One line of printable text."""
+    """Message of an error as one line of printable text, at most `LONGEST_REASON` characters long."""
     text = " ".join(str(error).split())
     text = "".join(letter if letter.isprintable() else "?" for letter in text)
     text = text if len(text) <= LONGEST_REASON else text[:LONGEST_REASON] + " ..."
@@ -22,7 +22,8 @@ def reason(error):
 
 
 def import_matplotlib(package):
-    """Settings of matplotlib come from the user's own folder, not from a `matplotlibrc` in the working folder."""
+    """Imports matplotlib so that its settings come from the user's own folder, not from
+    a `matplotlibrc` in the working folder."""
     here = os.open(".", os.O_RDONLY)
     os.chdir(package)
     try:

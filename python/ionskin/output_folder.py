@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Files in an output folder of the program: only its own are replaced, and no link is followed."""
+"""Writing of files in an output folder: replaces only files that ionskin wrote, and follows no link."""
 
 import contextlib
 import os
@@ -16,7 +16,8 @@ LARGEST_LIST = 64 << 20  # bytes
 
 @contextlib.contextmanager
 def writing(path):
-    """Gives a place to write a file of this name; the file appears when it is whole.
+    """Context that yields a temporary path to write a file to; at its end the file gets the name `path`, whole or not
+    at all.
 
     `path` is FOLDER/NAME of an output folder, or FOLDER/figures/NAME. Raises CaseError where a file of the user or a
     link is in the way.
@@ -45,20 +46,22 @@ def writing(path):
 
 
 def save(figure, path, **settings):
-    """Saves a figure of matplotlib; the suffix of the path tells the format."""
+    """Saves a matplotlib figure in the format that the suffix of the path names; `settings` go
+    to savefig. Raises CaseError as `writing`."""
     path = pathlib.Path(path)
     with writing(path) as pending:
         figure.savefig(pending, format=path.suffix[1:], **settings)
 
 
 def write_text(path, text):
-    """Writes a text into a file, whole or not at all."""
+    """Writes a text into a file, whole or not at all. Raises CaseError as `writing`."""
     with writing(path) as pending:
         pending.write_text(text, encoding="utf-8")
 
 
 def listed(folder):
-    """The names in the list of a folder; None where it keeps none, as those of earlier versions."""
+    """Names of the files that ionskin wrote into a folder; None for a folder without
+    such a list, as earlier versions left it."""
     entries = pathlib.Path(folder, LIST)
     if not entries.is_file() or entries.is_symlink():
         return None
@@ -68,7 +71,10 @@ def listed(folder):
 
 
 def _note(folder, name, path):
-    """Adds a name to the list of the folder, if it keeps one."""
+    """Adds a name to the list of files that ionskin wrote into the folder, if the folder has such a list.
+
+    Raises CaseError when the file exists and is not in the list.
+    """
     names = listed(folder)
     if names is None or name in names:
         return

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Quantities as they stand in case files, in SI units."""
+"""Conversion of lengths and times of case files to SI units."""
 
 import re
 
@@ -8,7 +8,10 @@ NUMBER = re.compile(r"\s*([-+0-9.eE]+)\s*(\S+)\s*")
 
 
 def si(text):
-    """A length or a time of a case file in metres or seconds. Raises ValueError for any other unit."""
+    """Converts a length or a time, such as "0.5 um", to a number [m] or [s]; a list or tuple to a list of such numbers.
+
+    Raises ValueError for any other unit.
+    """
     if isinstance(text, (list, tuple)):
         return [si(entry) for entry in text]
     match = NUMBER.fullmatch(str(text))

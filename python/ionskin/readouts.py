@@ -19,7 +19,7 @@ HEIGHT = 0.85
 
 
 def panel(results):
-    """Title, vertical axis and curves of what the run's readout shows."""
+    """Title, vertical Axis and list of Curve of the voltages or currents that the readout circuit of a run measures."""
     if has_voltages(results):
         names = taxel_names(results)
         return ("Taxels with circuits of their own", Axis("voltage", "V"),
@@ -37,7 +37,7 @@ def panel(results):
 
 
 def draw(folders):
-    """One panel per run, on a common axis of time, as a figure of matplotlib."""
+    """Draws the readouts of the runs in some folders, one panel for each on a common time axis, as a matplotlib figure."""
     from .drawing import draw_chart
 
     runs = [Results(folder) for folder in folders]

@@ -18,7 +18,7 @@ FIRST = ("model", "plan")  # figures that stand before the charts to explore
 
 
 def chart_section(results, entry, chart):
-    """The section of a figure of a run, a Chart, or of what the run would need for it, a text."""
+    """Section of a page for a figure of a run: `chart` is a Chart, or a text that says what the run lacks for it."""
     if isinstance(chart, str):
         return pages.Section(entry.name, entry.heading, "paragraphs", [f"Not drawn: {chart}."])
     words = f"{entry.words(results)} {chart.note}".strip()
@@ -26,26 +26,26 @@ def chart_section(results, entry, chart):
 
 
 def numbers(results):
-    """Every metric; the column of errors stands only where some are estimated."""
+    """Data of the section of all metrics, with a column of errors where some are estimated; None without metrics."""
     rows = report_text.metric_rows(results)
     return {"rows": rows, "stated": any(row[3] for row in rows), "notes": [report_text.NUMBERS_NOTE]} if rows else None
 
 
 def timing(results):
-    """Wall time per stage and counters of the solvers."""
+    """Data of the section on timing: wall time and memory of each stage, counters of the solvers."""
     return {"tables": [pages.Table(("stage", "state", "wall time", "peak memory"), report_text.timing_rows(results), (2, 3)),
                        pages.Table(("counter", "value"), report_text.counter_rows(results), (1,))], "notes": []}
 
 
 def case_summary(results):
-    """Summary of the case that was simulated."""
+    """Data of the section on the case: its layers and groups of its values; None where there are none."""
     layers = pages.Table(("layer, top first", "role", "material", "thickness"), report_text.layers(results.case))
     groups = report_text.case_groups(results.case, results.sliders[1:])
     return {"layers": layers, "groups": groups} if groups or layers.rows else None
 
 
 def claims_section(study, wanted=False):
-    """Verdicts on the article's claims, for its own case or where they are asked for."""
+    """Section with verdicts on the article's claims; empty for another case than the article's, unless `wanted`."""
     own = paper.is_own_case(study.typical.results.case)
     if not own and not wanted:
         return pages.Section("claims", "The article's claims", "verdicts", None)
@@ -57,7 +57,7 @@ def claims_section(study, wanted=False):
 
 
 def page(results, with_claims=False):
-    """The page of a run, as HTML."""
+    """HTML text of the page of a run (Results); `with_claims` as for `make_report`."""
     charts = list(figures.charts(results))
     top = next((each for name in ANSWER for each in charts if each[0].name == name), None)
     drawn = [chart_section(results, *each) for each in charts if each != top]
@@ -84,12 +84,13 @@ def page(results, with_claims=False):
 
 
 def make_report(folder, with_claims=False, *, files=False, progress=None, left_out=None):
-    """Writes report.html of a run or a sweep; returns its path.
+    """Writes report.html of a run or a sweep into its folder and returns the path of the file.
 
-    with_claims  judge the article's claims although the case is not its own
-    files        write every figure into figures/ too
-    progress     called with the finished part, from 0 to 1
-    left_out     a list that takes pairs of name and reason of the numbered figures that are not written
+    folder       output folder of the run or sweep
+    with_claims  True to judge the article's claims even for another case than the article's
+    files        True to write every figure into figures/, too
+    progress     called with the finished part, from 0 to 1; None for no calls
+    left_out     list to which pairs of name and reason of the figures that are not written are added; None for no list
     """
     folder = pathlib.Path(folder)
     on_progress = progress or (lambda part: None)
@@ -109,10 +110,14 @@ def make_report(folder, with_claims=False, *, files=False, progress=None, left_o
 
 
 def make_gallery(folder, only=(), *, progress=None, results=None):
-    """Writes the numbered figures, and those of a run's page, or the numbered ones that are named; returns pairs of name and
-    reason for those that cannot be drawn.
+    """Writes figures of a run or a sweep as files into its folder figures/; returns pairs of name and reason for
+    figures that cannot be drawn.
 
-    results  of the folder's run, where they have been read already
+    only      names of numbered figures; empty for all of them, and for a run also the figures of its page
+    progress  called with the finished part, from 0 to 1; None for no calls
+    results   Results of the folder's run, where they have been read already; None to read the folder
+
+    Raises ValueError for unknown names.
     """
     from .drawing import making  # a page needs no matplotlib
 
@@ -128,7 +133,7 @@ def make_gallery(folder, only=(), *, progress=None, results=None):
 
 
 def tell_progress(part):
-    """A line that the program reads."""
+    """Prints the finished part, from 0 to 1, as a line on standard error that the program ionskin reads."""
     print(f"progress {part:.3f}", file=sys.stderr, flush=True)
 
 

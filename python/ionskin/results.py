@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The output folder of one run, as arrays and plain dictionaries."""
+"""Results of one run, read from its output folder into numpy arrays and dictionaries."""
 
 import contextlib
 import csv
@@ -20,14 +20,14 @@ LARGEST_SUMMARY = 64 << 20  # a warning for each instant of a long motion
 
 
 class Metric(NamedTuple):
-    """One named quantity of summary.json; the value is None when it is not finite."""
+    """Scalar result of a run, as in summary.json: its value, None when not finite, and its SI unit, "1" for pure numbers."""
 
     value: float | None
     unit: str
 
 
 class PhaseSpan(NamedTuple):
-    """One phase of one cycle: start and end in seconds."""
+    """Time span of one phase of the motion: number of the cycle, name of the phase, start and end [s]."""
 
     cycle: int
     phase: str
@@ -36,10 +36,10 @@ class PhaseSpan(NamedTuple):
 
 
 class Table:
-    """Columns over time by name, with units. Empty entries are NaN.
+    """Table of signals over time: `table["time"]` [s] and one column for each signal, all of one length.
 
-    columns  numpy array [rows] by name, in the order of the file
-    units    SI unit by name, "1" for pure numbers, "" for cycle and phase
+    columns  dict of name to numpy array [rows], in the order of the file; empty cells are NaN, "phase" holds texts
+    units    dict of name to SI unit; "1" for pure numbers, "" for cycle and phase
     """
 
     def __init__(self, columns: dict[str, numpy.ndarray], units: dict[str, str]) -> None:
@@ -54,7 +54,7 @@ class Table:
         return f"Table of {len(next(iter(self.columns.values()), ()))} rows: {names}"
 
     def to_xarray(self):
-        """The columns over time as an xarray.Dataset. Raises ImportError when xarray is missing."""
+        """Converts the table to an xarray.Dataset over time. Raises ImportError when xarray is missing."""
         return labelled.table_dataset(self)
 
     def __getitem__(self, name):
@@ -64,26 +64,26 @@ class Table:
         return name in self.columns
 
     def has(self, *names):
-        """True when every named column is there and holds at least one number."""
+        """True if the table has every named column, and each holds at least one finite number."""
         return all(name in self and numpy.isfinite(self[name]).any() for name in names)
 
     def at(self, name, time):
-        """The column at instants in seconds, linear between the rows."""
+        """Interpolates a column linearly at the instants `time` [s]; outside the table its first or last value holds."""
         return numpy.interp(time, self["time"], self[name])
 
 
 def name_and_unit(title):
-    """Parts of a column's title: "slider.start[0] [m]" is ("slider.start[0]", "m"); the unit is "" without one."""
+    """Splits the title of a column into name and unit: "slider.start[0] [m]" gives ("slider.start[0]", "m"); "" for no unit."""
     name, opening, unit = title.rpartition(" [")
     return (name, unit.removesuffix("]")) if opening else (title, "")
 
 
 def read_table(path, needs=()):
-    """Reads a table of the results, such as signals.csv.
+    """Reads a CSV table of a run, such as signals.csv, as a Table.
 
-    needs  columns that it must have
+    needs  names of columns that it must have
 
-    Raises FileNotFoundError when it is missing, CaseError when it is damaged.
+    Raises FileNotFoundError when the file is missing, CaseError when it is damaged or lacks a column.
     """
     with whole(path):
         return _table(needs, *files.read_rows(path))
@@ -106,7 +106,7 @@ def _table(needs, header, *rows):
 
 
 def read_json(path):
-    """The object in a JSON file; empty when it is missing. Raises CaseError when it is damaged."""
+    """Reads a JSON file that holds an object, as a dict; {} when the file is missing. Raises CaseError when it is damaged."""
     try:
         found = files.read_json(path, LARGEST_SUMMARY)
     except FileNotFoundError:
@@ -125,7 +125,7 @@ def _object(parent, name):
 
 @contextlib.contextmanager
 def whole(path):
-    """Turns what a damaged file raises into a CaseError that names it."""
+    """Context in which a file is read: turns exceptions that a damaged file causes into a CaseError that names `path`."""
     try:
         yield
     except CaseError:
@@ -135,27 +135,36 @@ def whole(path):
 
 
 class Results:
-    """The results that a run has written into its folder.
+    """Results of a run, read from its output folder.
 
-    signals, sampled  Table; see the documentation of the columns
-    taxels, circuit   Table, or None in runs without; sampled_taxels and sampled_circuit likewise
-    water             Table of what the water does under the law poroelastic, or None
-    errors            dict of table name to Table: stated errors of the signals, same columns; empty without
-    metrics           dict of name to Metric
-    summary, manifest dict, as in the files; empty when the file is missing
-    circuit_words     dict: name, words and top_potential of the circuit; empty in folders of earlier versions
-    case              dict of the case file, quantities as texts
-    complete          False for a run that has not ended: it gives place, height and forces of the slider and the
-                      metrics of the contact alone, and where its ion transport gave up all signals until then
+    signals           Table with a row for each time step of the solver
+    sampled           Table with a row for each sampling interval of the readout: currents are the charge gained over the
+                      interval, divided by the interval
+    taxels, circuit   Table of the taxels and of the readout circuit, by time step; None in runs without them
+    sampled_taxels, sampled_circuit  Table of the same signals by sampling interval, or None
+    water             Table of the pore water under the coupling law poroelastic; None under other laws
+    errors            dict of table name to Table with the same columns: reported error estimate of each signal, as half the
+                      width of its error band; {} when the run has none
+    metrics           dict of name to Metric: scalar results
+    summary, manifest dict: contents of summary.json and manifest.json; {} when the file is missing
+    circuit_words     dict of texts that describe the readout circuit: name, words, top_potential; {} in folders of earlier
+                      versions
+    case              dict: contents of case.toml, quantities as texts; with several sliders, as a case of the first one alone
+    sliders           list of dict: one such case for each slider; [{}] when case.toml is missing
+    complete          False for a run that has not ended, or whose solver gave up. `signals` holds position, height and forces
+                      of the slider then, and `metrics` only those of the contact; where the solver gave up, `signals` holds
+                      all signals until then
 
-    Raises FileNotFoundError, with what the run is at, when the folder holds no signals.csv, and CaseError when a file
-    in it is damaged.
+    Raises FileNotFoundError, with the state of the run, when the folder holds no finished run, and CaseError when a file in
+    it is damaged.
     """
 
     def __init__(self, folder, keep=None, *, unfinished=False):
-        """
-        keep        whatever must live as long as the folder is needed, such as the owner of a temporary one
-        unfinished  take a run that has not ended too, once its mechanics is finished
+        """Reads the results in a folder.
+
+        folder      output folder of a run
+        keep        object that must live as long as the folder is needed, such as the owner of a temporary folder
+        unfinished  True to read a run that has not ended, too, once its mechanics (Study 1) is finished
         """
         self._keep = keep
         self.folder = pathlib.Path(folder)
@@ -190,7 +199,7 @@ class Results:
                 self.case = self.sliders[0]
 
     def _gave_up(self):
-        """True where a study did not come to its end: the tables of such a run end where it gave up."""
+        """True if a stage of the run did not finish: the tables end at the instant at which its solver gave up."""
         with whole(self.folder / "manifest.json"):
             stages = _object(self.manifest, "stages")
             return any(_object(stages, name).get("state", "finished") != "finished"
@@ -208,16 +217,22 @@ class Results:
 
     @property
     def not_converging(self) -> dict[str, str]:
-        """Metrics that finer meshes or steps change on and on, each with the reason."""
+        """Metrics that do not converge under refinement of mesh or time step, as a dict of name to the reason; {} for none."""
         return self.summary.get("not_converging", {})
 
     def stated_error(self, name):
-        """The stated error of a metric in its unit; None where none is stated or the metric does not converge."""
+        """Reported error estimate of a metric, in the metric's unit; None when it has none or the metric does not converge."""
         parts = self.summary.get("error_parts", {}).get(name)
         return None if parts is None or name in self.not_converging else sum(parts.values())
 
     def band(self, table, name):
-        """Lower and upper end of a signal within its stated error; None where none is stated."""
+        """Error band of a signal: arrays [rows] of its lower and upper end, in the signal's unit.
+
+        table  name of the table, such as "signals" or "sampled"
+        name   name of the column
+
+        None when the run has no error estimate of the signal.
+        """
         errors = self.errors.get(table)
         if errors is None or name not in errors or len(errors[name]) != len(getattr(self, table)[name]):
             return None
@@ -226,25 +241,26 @@ class Results:
 
     @property
     def warnings(self) -> list[str]:
-        """Warnings that a reader of the results must know."""
+        """Warnings of the run that a reader of its results should know; [] for none."""
         return self.summary.get("warnings", [])
 
     def to_xarray(self):
-        """The signals over time as an xarray.Dataset. Raises ImportError when xarray is missing."""
+        """Converts `signals` to an xarray.Dataset over time. Raises ImportError when xarray is missing."""
         return self.signals.to_xarray()
 
     def __repr__(self) -> str:
         return f"Results({self.folder}: {len(self.signals['time'])} rows, {len(self.metrics)} metrics)"
 
     def open_fields(self):
-        """results.h5 as an h5py.File, for the strain, the ions and the contact maps.
+        """Opens results.h5, which holds the strain history, the ion fields and the contact maps, as an h5py.File to read.
 
-        Raises CaseError when the file is damaged or leads to other files.
+        Raises FileNotFoundError when the file is missing, and CaseError when it is damaged or refers to other files.
         """
         return open_hdf5(self.folder / "results.h5")
 
     def phases(self):
-        """The phases in order, as PhaseSpan; empty in runs from a strain file and in those that have not ended."""
+        """Phases of the motion in order of time, as a list of PhaseSpan; [] for runs from
+        a strain file and for unfinished runs."""
         if "phase" not in self.signals:
             return []
         time, cycle, phase = (self.signals[name] for name in ("time", "cycle", "phase"))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Run a case, or many at once."""
+"""Runs and sweeps: `run` solves one case, `sweep` the cases of a parameter sweep."""
 
 import os
 import shutil
@@ -23,21 +23,23 @@ STUDIES = ("", "mechanics", "electrochemistry")
 
 def run(case: Case, output: str | os.PathLike | None = None, *, threads: int = 0, progress: Progress | None = None,
         overwrite: bool = False, resume: bool = False, only: str = "", report: bool = False, cache: bool | str = True) -> Results:
-    """Runs a case and returns what it wrote.
+    """Runs a case, contact mechanics (Study 1) and then ion transport (Study 2), and returns its Results.
 
-    output     folder of the results; None: a temporary one that goes with the returned object
-    threads    at most so many; 0: all processors
-    progress   called with (activity, finished fraction in [0, 1]), from whichever thread works; what it raises stops
-               the run
-    overwrite  replace the results in the folder
-    resume     finish an interrupted run of the same case in its folder
-    only       "mechanics", or "electrochemistry" on the finished mechanics in the folder
-    report     draw the figures and write report.html
-    cache      has no effect any more: nothing is kept in the home folder
+    output     folder of the results; None: a temporary folder, removed with the returned object
+    threads    largest number of threads; 0: one for each processor
+    progress   called with (activity, finished fraction in [0, 1]), from any thread; an exception that it raises stops the run
+    overwrite  True to replace earlier results in the folder
+    resume     True to finish an interrupted run of the same case in its folder
+    only       "": both studies; "mechanics": Study 1 only; "electrochemistry": Study 2 only, on the finished mechanics in the
+               folder
+    report     True to draw the figures and write report.html
+    cache      ignored
 
-    Raises CaseError before any work, SolverError, and KeyboardInterrupt; what was finished then stays in the folder.
-    Other Python threads go on meanwhile; a second run waits for the first, but `progress` cannot begin one. A process
-    that was forked during a run cannot run either: both are a CaseError.
+    Other Python threads go on during a run. A second run waits for the first one.
+
+    Raises CaseError before any work when the case or a setting is wrong, and when a run is started by `progress` or in a
+    process that was forked during a run. Raises SolverError when a solver gives up, and KeyboardInterrupt; what was finished
+    stays in the folder then.
     """
     _require("only", only, STUDIES)
     with_folder, keep = _folder(output)
@@ -50,17 +52,23 @@ def sweep(case: Case, over: Mapping[str, str | Sequence[Any]], output: str | os.
           samples: int = 0, sampling: str = "sobol", seed: int = 1, threads: int = 0, progress: Progress | None = None,
           overwrite: bool = False, resume: bool = False, only: str = "", report: bool = False,
           cache: bool = True, on: str | os.PathLike | None = None) -> Sweep:
-    """Runs a case at many values of its keys; the mechanics is shared wherever it can be.
+    """Runs a case at many points, each with other values of some keys, and returns the Sweep.
 
-    over      values by key: a list of them (SI numbers, or texts with a unit), or a text as for --over, such as
-              "0.05:0.05:0.5"; several keys make a grid
-    samples   so many points instead of the grid; every value of `over` is then a pair (lowest, highest)
-    sampling  "sobol" or "latin", with its seed
-    on        file of a cluster's scheduler (ionskin cluster start), whose workers then do the batches of the sweep, each
-              with `threads` threads, 1 by default; ClusterError when points are left
+    The mechanics (Study 1) is solved once for all points between which it does not differ.
 
-    The others are those of `run`. A point that fails is a point with its reason. Raises CaseError before any work,
-    SolverError when every point failed, and KeyboardInterrupt; finished points stay, and resume=True continues.
+    over      dict of key to its values: a list (numbers in SI units, or texts with a unit), or a text as for --over, such as
+              "0.05:0.05:0.5" (first:step:last); several keys make a grid
+    samples   0: the grid; else the number of sampled points, where each value of `over` is a pair (lowest, highest)
+    sampling  "sobol" (Sobol' sequence) or "latin" (Latin hypercube)
+    seed      seed of the sampling
+    on        file of a cluster's scheduler (ionskin cluster start), whose workers then run the sweep, each with `threads`
+              threads (0: 1 thread); None: this process
+
+    `output`, `threads`, `progress`, `overwrite`, `resume`, `report` and `cache` are those of `run`; `only` is "" or
+    "mechanics". A point that fails does not end the sweep: it is listed in the Sweep with the reason.
+
+    Raises CaseError before any work, SolverError when every point failed, ClusterError when a cluster left points undone, and
+    KeyboardInterrupt; finished points stay, and resume=True continues.
     """
     _require("sampling", sampling, SAMPLINGS)
     _require("only", only, STUDIES[:2])
@@ -91,7 +99,7 @@ def _axis(key: str, values: str | Sequence[Any], interval: bool) -> str:
 
 
 class _TemporaryFolder:
-    """Removed with the last result that holds it."""
+    """Temporary folder, removed when the last object that holds it is deleted."""
 
     def __init__(self) -> None:
         self.name = tempfile.mkdtemp(prefix="ionskin-")

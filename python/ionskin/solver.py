@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The compiled solver, loaded when it is first needed: its libraries take half a second."""
+"""Loading of the compiled solver on first use, since its libraries take half a second to load."""
 
 import contextlib
 import importlib
@@ -8,7 +8,7 @@ from types import ModuleType
 
 
 def load() -> ModuleType:
-    """The extension module. Raises ImportError with the remedy when it is not built."""
+    """Loads and returns the compiled extension module `_ionskin_solver`. Raises ImportError, with the remedy, without it."""
     _own_interrupt()
     with contextlib.suppress(ModuleNotFoundError):
         importlib.import_module("ionskin_program")  # of a wheel: says where its units are
@@ -20,7 +20,7 @@ def load() -> ModuleType:
 
 
 def _own_interrupt() -> None:
-    """Puts Python's answer to Ctrl-C back: OpenTURNS takes its place, and ends the process."""
+    """Restores Python's handler of SIGINT (Ctrl-C): OpenTURNS replaces it by one that ends the process."""
     handler = signal.getsignal(signal.SIGINT)
     if handler is not None:
         with contextlib.suppress(ValueError):  # only the main thread may

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The folder of a sweep, and what a report draws: members in the order of one swept key."""
+"""Results of a sweep, read from its folder, and the runs that a report draws, in the order of one swept key."""
 
 import functools
 import pathlib
@@ -21,17 +21,25 @@ TYPICAL_FRICTION = 0.3  # the paper's representative curves are drawn at one coe
 
 
 def symbol(key):
-    """Symbol of a key for labels: "µ", "preload"."""
+    """Symbol of a key for labels: "µ" for the friction coefficient, else the key's last word, such as "preload"."""
     return "µ" if key == FRICTION else key.rsplit(".", maxsplit=1)[-1]
 
 
 def value_text(value, unit):
-    """A swept value with its prefixed unit, or a text cut to the length of a label."""
+    """Text of a swept value for a label: number with prefixed unit, such as "0.5 µm", or a text cut to fit (unit "")."""
     return quantity(value, unit, 4) if unit else short(value, LONGEST_VALUE)
 
 
 class Point(NamedTuple):
-    """One row of sweep.csv. values: SI number, or text, by key."""
+    """Point of a sweep: one run, a row of sweep.csv.
+
+    number   number of the point in the sweep
+    folder   output folder of the run
+    values   dict of swept key to its value: number in SI units, or text
+    status   "finished", or another word for a point without results
+    reason   why the point failed; "" when it did not
+    metrics  dict of metric name to its value in SI units; metrics that the point lacks are left out
+    """
 
     number: int
     folder: pathlib.Path
@@ -42,15 +50,23 @@ class Point(NamedTuple):
 
 
 class Sweep:
-    """sweep.csv as points; `keys` maps each swept key to its SI unit, "" for texts.
+    """Results of a parameter sweep, read from its folder: the points with their scalar results. len(sweep) counts the
+    points.
 
-    points, units  list of Point, and the SI unit of each metric by name
+    points    list of Point, in the order of sweep.csv
+    keys      dict of swept key to its SI unit; "1" for pure numbers, "" for keys whose values are texts
+    units     dict of metric name to its SI unit
+    manifest  dict: contents of manifest.json; {} when the file is missing
 
-    Raises FileNotFoundError when the folder holds no sweep.csv.
+    Raises FileNotFoundError when the folder holds no sweep.csv, CaseError when a file in it is damaged.
     """
 
     def __init__(self, folder, keep=None):
-        """keep: whatever must live as long as the folder is needed, such as the owner of a temporary one."""
+        """Reads a sweep.
+
+        folder  output folder of the sweep
+        keep    object that must live as long as the folder is needed, such as the owner of a temporary folder
+        """
         self._keep = keep
         self.folder = pathlib.Path(folder)
         path = self.folder / "sweep.csv"
@@ -66,21 +82,22 @@ class Sweep:
         self.manifest = read_json(self.folder / "manifest.json")
 
     def values(self, key):
-        """The values of a swept key as an array [points]: SI numbers, or texts."""
+        """Values of a swept key, as an array [points] of numbers in SI units or of texts."""
         return numpy.array([point.values[key] for point in self.points])
 
     def metric(self, name):
-        """One metric as an array [points]; NaN where a point has none."""
+        """Values of a metric, as an array [points] in SI units; NaN where a point lacks
+        it. Raises KeyError for unknown names."""
         if name not in self.units:
             raise KeyError(f"{name} is not a metric of this sweep; it has {', '.join(self.units) or 'none yet'}")
         return numpy.array([point.metrics.get(name, numpy.nan) for point in self.points])
 
     def result(self, index):
-        """The Results of a finished point, by its place in `points`."""
+        """Reads the Results of a point; `index` is its index in `points`. Raises FileNotFoundError when it has not finished."""
         return Results(self.points[index].folder, self._keep)
 
     def to_xarray(self):
-        """Metrics over the points as an xarray.Dataset. Raises ImportError when xarray is missing."""
+        """Converts the metrics to an xarray.Dataset over the points. Raises ImportError when xarray is missing."""
         return labelled.sweep_dataset(self)
 
     def __len__(self):
@@ -99,7 +116,13 @@ class Sweep:
 
 
 class Member(NamedTuple):
-    """One run of a study. value: on the study's key; number, values: of its point in the sweep."""
+    """Run of a Study.
+
+    value    value of the study's key in this run, in SI units
+    results  Results of the run
+    number   number of its point in the sweep; 0 for a single run
+    values   dict of all swept keys of that point to their values; {} for a single run
+    """
 
     value: float
     results: Results
@@ -108,16 +131,26 @@ class Member(NamedTuple):
 
 
 class Study:
-    """The source of figures: the members of a sweep along one key, or the one run there is.
+    """Runs that the figures of a report show: the finished points of a sweep along one key, or a single run.
 
-    key, name, unit  the swept key, its name in words, its unit; "point" where no key is a number
-    members          in ascending order of the value
-    scattered        True where other keys vary along the members too, as in a sampled design: they are points, no curve
-    note             what of the sweep is not shown; "" for nothing
+    In a grid of several keys the members are the points at which the other keys have the values of the first finished point.
+
+    key, name, unit  the key along which the members lie, its name in words and its SI unit; key is "point" where no swept key
+                     is a number
+    members          list of Member, in ascending order of the key's value
+    scattered        True if other keys vary along the members, too, as in a sampled sweep: they do not form a curve
+    note             text that says which points of the sweep are not shown; "" when all are
+    sweep            the Sweep; None for a single run
+
+    Raises FileNotFoundError when the folder holds no results or no point has finished, CaseError for damaged files.
     """
 
     def __init__(self, folder, results=None):
-        """results: of the folder's run, where they have been read already"""
+        """Reads a study.
+
+        folder   output folder of a sweep or a run
+        results  Results of the folder's run, where they have been read already; None to read the folder
+        """
         folder = pathlib.Path(folder)
         self.folder, self.note, self.scattered = folder, "", False
         self.sweep = Sweep(folder) if results is None and (folder / "sweep.csv").exists() else None
@@ -152,55 +185,57 @@ class Study:
 
     @property
     def numeric_keys(self):
-        """Swept keys whose values are numbers."""
+        """Names of the swept keys whose values are numbers; [] for a single run."""
         return [key for key, unit in self.sweep.keys.items() if unit] if self.sweep else []
 
     @property
     def single(self):
-        """True when there is one run only."""
+        """True if the study has only one member."""
         return len(self.members) == 1
 
     @functools.cached_property
     def typical(self):
-        """The member that stands for all: µ nearest 0.3, or the middle one along another key."""
+        """Member that represents the study: friction coefficient nearest to 0.3, or the middle one along another key."""
         if self.key == FRICTION:
             return min(self.members, key=lambda member: abs(member.value - TYPICAL_FRICTION))
         return self.members[len(self.members) // 2]
 
     def label(self, member):
-        """Value with symbol: "µ = 0.3"; of a scattered study all values."""
+        """Label of a member: symbol and value of the key, such as "µ = 0.3"; of all swept keys in a scattered study."""
         if not self.scattered:
             return f"{symbol(self.key)} = {value_text(member.value, self.unit)}"
         return ", ".join(f"{symbol(key)} = {value_text(member.values[key], unit)}" for key, unit in self.sweep.keys.items())
 
     def panel_label(self, member):
-        """Title of a small panel: value with symbol; of a scattered study its point and the value along the key."""
+        """Title of a member's small panel: symbol and value of the key, in a scattered study behind the number of the point."""
         if not self.scattered:
             return self.label(member)
         return f"point {member.number}, {symbol(self.key)} = {value_text(member.value, self.unit)}"
 
     def axis_label(self, key=None):
-        """For an axis along the members, or along another swept key."""
+        """Label of an axis along a swept key: name and SI unit in brackets; None for the study's own key."""
         key = key or self.key
         unit = self.sweep.keys.get(key, "1") if self.sweep else "1"
         name = NAMES.get(key, key)
         return name if unit == "1" else f"{name} [{unit}]"
 
     def metric(self, name):
-        """One metric of all members; NaN where a member lacks it."""
+        """Values of a metric, as a list with one number in SI units for each member; NaN where a member lacks it."""
         return [value if (value := member.results.metrics.get(name, (None,))[0]) is not None else float("nan")
                 for member in self.members]
 
     def errors(self, name):
-        """Stated relative errors of a metric of all members; 0 where none is stated."""
+        """Reported relative error estimates [1] of a metric, as a list with one number for each member; 0 where it has none."""
         return [0.0 if name in member.results.not_converging
                 else member.results.summary.get("error_estimate", {}).get(name) or 0.0 for member in self.members]
 
 
 def open_results(folder):
-    """Results of a run's folder, or Sweep of a sweep's. Of a run in its ion transport the mechanics can be read already.
+    """Reads an output folder: returns Results for a run, a Sweep for a sweep.
 
-    Raises FileNotFoundError when the folder holds nothing to read yet.
+    A run that has not ended can be read once its mechanics (Study 1) is finished; `Results.complete` is False then.
+
+    Raises FileNotFoundError when the folder holds nothing to read yet, CaseError when a file in it is damaged.
     """
     folder = pathlib.Path(folder)
     return Sweep(folder) if (folder / "sweep.csv").exists() else Results(folder, unfinished=True)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Numbers and texts as a reader sees them."""
+"""Formatting of numbers and texts for readers."""
 
 import re
 
@@ -14,7 +14,7 @@ PREFIXES = {-15: "f", -12: "p", -9: "n", -6: "µ", -3: "m", 0: "", 3: "k", 6: "M
 
 
 def si_scale(peak):
-    """Divisor and prefix that bring a largest magnitude between 1 and 1000: (1e-6, "µ")."""
+    """Divisor and SI prefix, such as (1e-6, "µ"), that bring the largest magnitude of some values between 1 and 1000."""
     exponent = 0
     if peak > 0:
         while peak < 10.0**exponent and exponent > -15:
@@ -25,7 +25,7 @@ def si_scale(peak):
 
 
 def quantity(value, unit, digits=4):
-    """A number with its unit and an SI prefix; pure numbers stay plain."""
+    """Text of a number in an SI unit, with a prefix: 5e-7, "m" gives "500 nm"; without one for the unit "1"; "–" for None."""
     if value is None:
         return "–"
     value = float(f"{value:.{digits}g}")  # 0.9999999 N is 1 N, not 1e+03 mN
@@ -42,13 +42,13 @@ def quantity(value, unit, digits=4):
 
 
 def without_e(text):
-    """A number as print writes it: "9.42e-05" is "9.42 × 10⁻⁵"."""
+    """Replaces the exponent of a number's text: "9.42e-05" becomes "9.42 × 10⁻⁵"."""
     mantissa, _, power = text.partition("e")
     return f"{mantissa} × 10{str(int(power)).translate(SUPERSCRIPTS)}" if power else text
 
 
 def percent(share):
-    """A share in percent to two significant digits; beyond 1,000 % it only tells that nothing is known."""
+    """Text of a share in percent, to two significant digits; "below 0.01 %" and "over 1000 %" for shares beyond."""
     value = 100 * share
     if 0 < value < 0.01:
         return "below 0.01 %"
@@ -58,25 +58,26 @@ def percent(share):
 
 
 def short(text, longest=LONGEST_LABEL):
-    """A text of a case or a file as a figure can show it: printable, and not longer than there is room for."""
+    """Makes a text of a case or a file fit for a figure: printable, and cut to `longest` characters."""
     plain = "".join(letter if letter.isprintable() else " " for letter in str(text)).strip()
     return plain if len(plain) <= longest else f"{plain[:longest - 1]}…"
 
 
 def aligned(rows):
-    """Rows of texts as lines, every column as wide as its longest text; columns without any text below the first row are left out."""
+    """Formats rows of texts as aligned lines; leaves out columns that are empty below the first row, the heading."""
     rows = [row for row in zip(*(column for column in zip(*rows) if any(column[1:])))]
     widths = [max(map(len, column)) for column in zip(*rows)]
     return ["  ".join(text.ljust(width) for text, width in zip(row, widths)).rstrip() for row in rows]
 
 
 def readable_units(text):
-    """A quantity of a case file as it is printed: "10 um" is "10 µm", "7e-11 m2/s" is "7e-11 m²/s"."""
+    """Replaces units of a case file by printed ones: "10 um" becomes "10 µm", "7e-11 m2/s" becomes "7e-11 m²/s"."""
     for found, sign in SIGNS:
         text = re.sub(found, sign, text)
     return text
 
 
 def without_folders(text):
-    """A text without the folders of absolute paths, which tell of a user's machine: "/home/ada/x.toml" is "…/x.toml"."""
+    """Removes the folders of absolute paths, which say something of the user's machine:
+    "/home/ada/x.toml" becomes "…/x.toml"."""
     return FOLDERS.sub(r"…/\1", QUOTED_FOLDERS.sub(r"\1…/\2\1", text))

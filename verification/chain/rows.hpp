@@ -11,17 +11,19 @@
 
 namespace ionskin::verification {
 
-/// The baseline at the coarse preset with its ions: what the chain's rows are taken from.
+/// Case that the rows of the chain check, with its solution of Study 1: the baseline skin at the
+/// coarse preset, with its ions and one cycle of motion.
 struct Chain {
   Case input;
   mechanics::ContactSolution contact;
   history::CoreHistory history;
 };
 
-/// C3: steady sliding at positions that are not interpolation nodes, and its smoothness on the
-/// transport grid.
+/// Row set C3: steady sliding sampled at positions of the slider between interpolation nodes, and
+/// smoothness of the shear's integral on the transport grid.
 std::vector<Row> smooth_sliding_rows(const Chain& chain, const Options& options);
-/// C4: charge jumps of touchdown and lift-off against the scalars that predict them.
+/// Row set C4: charge jumps of touchdown and lift-off against the two averages of the shear that
+/// predict them.
 std::vector<Row> spike_rows(const Chain& chain, const Options& options);
 
 } // namespace ionskin::verification

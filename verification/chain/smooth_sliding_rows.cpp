@@ -16,13 +16,14 @@ namespace ionskin::verification {
 namespace {
 
 constexpr int fresh_positions = 20;
-/// The trend follows the shear's magnitude, which bends where the shear passes near zero, but not
-/// the slider's passing from column to column, 18 times in the interval.
+/// Degree of the polynomial trend. It follows the shear's magnitude, which bends where the shear
+/// passes near zero, but not the passing of the slider from column to column, 18 times in the
+/// interval.
 constexpr int trend_degree = 16;
-/// Refinement of the instants that are kept: 80 a slide at least, four between two columns.
+/// Refinement of the stored instants: at least 80 in a slide, four between two columns.
 constexpr double sampling_refinement = 4.0;
 
-/// Arc lengths spread over the stroke, none of them a node of the interpolation.
+/// Arc lengths that are spread over the stroke; none of them is a node of the interpolation.
 std::vector<double> fresh_arc_lengths(const Case& input) {
   std::vector<double> arcs;
   for (int i = 0; i < fresh_positions; ++i) {
@@ -70,7 +71,8 @@ double time_at(const Case& input, double arc_length) {
   return input.motion.touchdown + input.motion.slide * arc_length / input.motion.stroke;
 }
 
-/// The path against steady sliding that is found by itself on new factorisations.
+/// Adds rows that compare interpolated states of the path with steady sliding solved anew at other
+/// positions.
 void add_fresh_rows(const Case& input, const mechanics::ContactSolution& contact,
                     const Options& options, std::vector<Row>& rows) {
   const auto arcs = fresh_arc_lengths(input);
@@ -101,7 +103,8 @@ void add_fresh_rows(const Case& input, const mechanics::ContactSolution& contact
                          shear_error, 1e-4));
 }
 
-/// Transport grid against mechanics, and the ripple while sliding.
+/// Adds rows on the shear's integral: on the transport grid against the mechanics, and its ripple
+/// while sliding.
 void add_transport_rows(const Case& input, const mechanics::ContactSolution& contact,
                         std::vector<Row>& rows) {
   const history::CoreHistory history = handover::build_strain_history(input, contact);

@@ -93,8 +93,8 @@ void add_open_rows(const LinearCell& cell, const Options& options, std::vector<R
                          1e-12));
 }
 
-/// Largest difference of a quantity at the compared instants of two runs, over its largest
-/// magnitude there.
+/// Largest difference of a quantity between two runs at the compared instants, over the largest
+/// magnitude of the quantity there.
 template <class Quantity>
 double largest_difference(const IonSolution& a, const IonSolution& b, const Quantity& quantity) {
   double difference = 0.0, scale = 0.0;

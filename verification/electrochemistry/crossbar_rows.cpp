@@ -22,10 +22,11 @@ using electrochemistry::IonSolution;
 
 constexpr std::array crossbar_instants{1e-3, 0.01, 0.1, 1.0, 4.0};
 
-/// Keeps the voltages of lines far below the thermal voltage, as the linear equations want.
+/// Coupling coefficient, so small that the voltages of lines stay far below the thermal voltage, as
+/// the linear equations require.
 constexpr double small = 0.01;
 
-/// A skin of 1 by 0.5 mm under crossing lines.
+/// Case of a skin of 1 by 0.5 mm under crossing lines.
 Case crossed(int rows, int columns) {
   Case input = model_case();
   input.coupling.coefficient = small;
@@ -43,7 +44,8 @@ std::vector<double> sample_times() {
   return times;
 }
 
-/// Shear that is linear through the thickness, different in three parts of the skin along one axis.
+/// Strain history of a shear that is linear through the thickness and differs in three parts of the
+/// skin along one axis.
 history::CoreHistory in_parts(const Case& input, bool along_x, const std::array<double, 3>& parts,
                               double bottom, double top) {
   history::CoreHistory history = linear_step_history(bottom, top, sample_times());
@@ -71,8 +73,9 @@ double voltage(const IonSolution& solution, std::size_t line, double time) {
   return solution.lines[line].voltage[row_at(solution, time)];
 }
 
-/// Two columns behind loads, one row at the ground and one open, under even shear: a bridge of
-/// conductances between four lines, of which those between lines of one face are sums of waves.
+/// Adds rows on two columns in series with loads, one grounded row and one open row, under uniform
+/// shear: a bridge of conductances between four lines, of which those between lines of one face are
+/// sums of waves.
 void add_bridge_rows(const Options& options, std::vector<Row>& rows) {
   Case input = crossed(2, 2);
   const double area = input.skin.length * input.skin.width;
@@ -106,7 +109,7 @@ void add_bridge_rows(const Options& options, std::vector<Row>& rows) {
   }
 }
 
-/// The baseline's touch on two rows and three columns.
+/// Case of the baseline's touch on two rows and three columns.
 Case touched(TaxelWiring wiring) {
   Case input = model_case();
   input.numerics.preset = Preset::coarse;
@@ -152,8 +155,9 @@ void add_crossbar_limit_rows(const Options& options, std::vector<Row>& rows) {
                          missing / scale, 1e-12));
 }
 
-/// Columns above behind loads and grounded rows below, and the same upside down and turned by a
-/// right angle: rows below behind loads and grounded columns above.
+/// Adds the row on exchanged faces: columns on top in series with loads over grounded rows, against
+/// the same skin upside down and turned by a right angle, with rows below in series with loads
+/// under grounded columns.
 void add_swap_row(const Options& options, std::vector<Row>& rows) {
   constexpr std::array parts{1.0, 0.2, -0.5};
   Case upright = crossed(2, 3), turned = crossed(3, 2);
@@ -187,8 +191,9 @@ void add_swap_row(const Options& options, std::vector<Row>& rows) {
                          difference / scale, 1e-5));
 }
 
-/// Local shear below the first column, of three, gives the middle one the voltage that the same
-/// shear below the middle one gives the first; the open row between them takes part.
+/// Adds the row on reciprocity: local shear below the first of three columns gives the middle
+/// column the voltage that the same shear below the middle column gives the first; the open row
+/// between them takes part.
 void add_reciprocity_row(const Options& options, std::vector<Row>& rows) {
   Case input = crossed(2, 3);
   input.readout.parameters = {

@@ -18,7 +18,8 @@ namespace {
 
 using electrochemistry::IonSolution;
 
-/// One sliding cycle averaged over the width: two dimensions, where the truth is affordable.
+/// Strain history of one sliding cycle averaged over the width: two-dimensional, so that a far
+/// finer reference is affordable.
 history::CoreHistory plane_history() {
   history::CoreHistory history = sliding_contact_history(1);
   const std::size_t rows = history.grid.columns_y(), columns = history.grid.columns_x();

@@ -15,7 +15,8 @@ namespace {
 
 using electrochemistry::IonSolution;
 
-/// F c0 k integral(gamma) per row, the integral as the strain folder has it [C].
+/// Charge F c0 k integral(gamma) at each instant of a solution, with the integral of the strain
+/// history itself [C].
 std::vector<double> strain_charge(const Case& input, const history::CoreHistory& history,
                                   const IonSolution& solution) {
   std::vector<double> charge;
@@ -26,7 +27,8 @@ std::vector<double> strain_charge(const Case& input, const history::CoreHistory&
   return charge;
 }
 
-/// Largest |Q_top + Q_bottom - expected| over the run, against the largest charge by strain.
+/// Largest |Q_top + Q_bottom - expected| over the run, over the largest charge that the strain
+/// makes.
 double gauss_error(const IonSolution& solution, const std::vector<double>& charge, bool neutral) {
   double error = 0.0;
   for (std::size_t i = 0; i < charge.size(); ++i) {
@@ -101,7 +103,8 @@ std::vector<Row> sliding_rows(const std::string& law, const Options& options) {
       at_least("E6", law + ": smallest concentration over c0", lowest, 1e-6)};
 }
 
-/// Rounding must not pile up: 100 cycles on a mesh as coarse as it can be.
+/// Rows on 100 cycles on the coarsest possible mesh, over which rounding errors must not
+/// accumulate.
 std::vector<Row> hundred_cycles_rows(const Options& options) {
   Case input = model_case();
   input.numerics.preset = Preset::coarse;

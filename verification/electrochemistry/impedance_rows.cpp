@@ -26,7 +26,8 @@ constexpr std::array<Reference, 3> references{{{0.1, {5.5486e-4, -1.05351e-3}},
                                                {1.0, {5.5402e-4, -1.2677e-4}},
                                                {100.0, {3.421e-5, -1.344e-4}}}};
 
-/// docs/model.md (33), in twice as many digits where the processor has them.
+/// Impedance in closed form, docs/model.md (33), in twice as many digits where the processor has
+/// them.
 Complex closed_form(const Case& input, double frequency) {
   using Long = std::complex<long double>;
   const DerivedScales scales =
@@ -41,7 +42,7 @@ Complex closed_form(const Case& input, double frequency) {
          (2.0 * scales.debye_length * scales.relaxation_time / input.electrochemistry.permittivity);
 }
 
-/// Largest relative deviations of the real and of the imaginary part.
+/// Largest relative deviations of the real and of the imaginary part of an impedance.
 struct WorstErrors {
   double real = 0, imaginary = 0;
 };
@@ -56,7 +57,7 @@ void widen(const Case& input, WorstErrors& worst) {
   }
 }
 
-/// Over cores, diffusivities and ten decades of frequency.
+/// Largest deviations over core thicknesses, diffusivities and ten decades of frequency.
 WorstErrors worst_errors(double permittivity) {
   WorstErrors worst;
   for (const double thickness : {10e-6, 30e-6, 180e-6, 1e-3}) {

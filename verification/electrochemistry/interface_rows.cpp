@@ -18,7 +18,8 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// A membrane's own permittivity, and platinum with many times the area of its face.
+/// Permittivity of the membrane itself, and capacitance per area of platinum with many times the
+/// area of its face.
 constexpr double bulk = 1.8e-10, interface = 30.0; // [F/m], [F/m2]
 
 Case cell(double permittivity, double capacitance) {
@@ -28,7 +29,8 @@ Case cell(double permittivity, double capacitance) {
   return input;
 }
 
-/// docs/model.md (73), or (33) without a capacitance of its own, in the limit of thin layers.
+/// Impedance of the blocking cell, docs/model.md (73), or (33) without a capacitance of its
+/// interfaces, in the limit of thin layers.
 Complex blocking_impedance(const Case& input, double frequency) {
   const auto scales =
       electrochemistry::derive_scales(input.electrochemistry, input.skin.core_thickness());
@@ -57,7 +59,7 @@ void add_spectrum_rows(double capacitance, const std::string& name, std::vector<
       at_most("E12", fmt::format("Im Z, 0.1 mHz to 1 MHz, {}, relative", name), imaginary, 1e-3));
 }
 
-/// The cell charges by a voltage that rises to a thousandth of the thermal one.
+/// Adds rows on the cell charged by a voltage that rises to a thousandth of the thermal voltage.
 void add_charging_rows(double permittivity, double capacitance, const std::string& name,
                        const Options& options, std::vector<Row>& rows) {
   constexpr double amplitude = 2.5e-5;

@@ -14,7 +14,7 @@ namespace {
 
 using electrochemistry::IonSolution;
 
-/// The history averaged along x and y: one cell at rest with the same samples.
+/// Averages a strain history along x and y: one column at rest with the same samples.
 history::CoreHistory laterally_averaged(const history::CoreHistory& history) {
   history::CoreHistory average = linear_step_history(0.0, 0.0, history.time);
   average.grid.z_nodes = history.grid.z_nodes;

@@ -15,15 +15,15 @@ namespace {
 
 using electrochemistry::IonSolution;
 
-/// Instants and the difference charge over F c0 lambda after a step S = 0.0015 y/a at t = 0, to all
-/// digits shown (verification E3, computed by modes).
+/// Reference value: an instant, and the difference charge over F c0 lambda after a step S = 0.0015
+/// y/a at t = 0, to all digits shown (verification E3, computed by modes).
 struct ChargeReference {
   double time, charge;
 };
 constexpr std::array<ChargeReference, 5> charge_references{
     {{1e-3, .06809872}, {0.01, .06754910}, {0.1, .06091059}, {1.0, .02200196}, {4.0, .00208097}}};
 constexpr double half_thickness = 136.244;
-/// Currents are means from 0.95 t to 1.05 t.
+/// Begin and end, over t, of the interval about an instant t over which currents are averaged.
 constexpr double before = 0.95, after = 1.05;
 
 Case step_case(Preset preset) {
@@ -54,14 +54,14 @@ double charge(const IonSolution& solution, double time) {
   return charge_difference(solution, row_at(solution, time)) / (charge_density * electrode_area);
 }
 
-/// Mean current between two instants of a solution [A/m2].
+/// Mean current of a solution over the interval about an instant [A/m2].
 double mean_current(const IonSolution& solution, double time) {
   const double gained = charge_difference(solution, row_at(solution, after * time)) -
                         charge_difference(solution, row_at(solution, before * time));
   return gained / ((after - before) * time * electrode_area);
 }
 
-/// Mean current between these instants by the closed form [A/m2].
+/// Mean current over the interval about an instant by the closed form [A/m2].
 double expected_current(const LinearCell& cell, double time) {
   const auto charge_at = [&](double instant) {
     return inverse_laplace([&](LinearCell::Complex s) { return cell.short_charge(s); }, instant);
@@ -69,7 +69,8 @@ double expected_current(const LinearCell& cell, double time) {
   return (charge_at(after * time) - charge_at(before * time)) / ((after - before) * time);
 }
 
-/// @param tolerance relative, on charges and currents
+/// Adds rows that compare charges and currents with their references.
+/// @param tolerance relative tolerance of charges and currents
 void add_accuracy_rows(const IonSolution& solution, const std::string& preset, double tolerance,
                        std::vector<Row>& rows) {
   const LinearCell cell(model_case());

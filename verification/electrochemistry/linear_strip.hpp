@@ -7,20 +7,23 @@
 
 namespace ionskin::verification {
 
-/// Waves of a small potential along a side of the linear cell, docs/model.md (66), where a face is
-/// cut across the middle of that side.
+/// Admittance of a linear cell to waves of a small potential along one of its sides, docs/model.md
+/// (66), for a face that is cut into two conductors across the middle of that side.
 class StripWaves {
 public:
-  /// @param length of the side [m]
-  /// @param columns of the grid whose waves are summed; 0 for waves of a continuum
+  /// @param length length of the side [m]
+  /// @param columns number of grid columns, to sum the waves that such a grid has; 0 for the waves
+  /// of a continuum
   StripWaves(const Case& input, double length, std::size_t columns);
 
-  /// Sum over the odd waves of capacitance per area times the share that a half has of a wave
-  /// [F/m2].
+  /// Sum over the odd waves of capacitance per area times the weight of the wave in one half of the
+  /// face [F/m2]: charge per area of a half at unit potential, with the other half at the opposite
+  /// potential. `s` is the Laplace variable [1/s].
   LinearCell::Complex odd_waves(LinearCell::Complex s) const;
 
 private:
-  /// Charge by potential of a wave on one face over the grounded other one [F/m2].
+  /// Charge per area and potential of a wave on one face over the grounded other face [F/m2].
+  /// @param wave wave number along the side, times the Debye length [1]
   LinearCell::Complex capacitance(LinearCell::Complex s, double wave) const;
 
   electrochemistry::DerivedScales scales_;

@@ -65,7 +65,7 @@ private:
         (std::exp(power) + growth * (std::expm1(power) + filling_)) / full; // no cancellation
     return above / (1.0 + filling_ * (above + growth));
   }
-  /// Limit of the concentration for f = 0 with f'/f phi = `rise`.
+  /// Limit of the concentration for f = 0, where f'/f phi = `rise`.
   double initial_concentration(double rise) const {
     return filling_ > 0.0 ? (1.0 - (1.0 - filling_) * std::exp(filling_ * rise)) / filling_
                           : 1.0 - rise;
@@ -105,7 +105,7 @@ template <class Body> void for_nodes(const TransportGrid& grid, const Body& body
   }
 }
 
-/// The fixed charge of the exact solution as a history of shear on the transport grid itself.
+/// Fixed charge of the exact solution, as a history of shear on the transport grid itself.
 history::CoreHistory manufactured_history(const Case& input, const ExactSolution& exact,
                                           int samples) {
   history::CoreHistory history;
@@ -131,12 +131,13 @@ history::CoreHistory manufactured_history(const Case& input, const ExactSolution
 
 struct FinalState {
   TransportGrid grid;
-  std::vector<double> potential, concentration; ///< scaled
+  /// Potential and concentration, in the units of the exact solution.
+  std::vector<double> potential, concentration;
 };
 
 struct Steps {
   double refinement, tolerance;
-  int samples; ///< of the history
+  int samples; ///< number of samples of the history
 };
 
 FinalState run(double filling, double mesh_refinement, const Steps& steps, const Options& options) {
@@ -162,7 +163,7 @@ FinalState run(double filling, double mesh_refinement, const Steps& steps, const
   return state;
 }
 
-/// Root mean square over the nodes of all columns, weighted by the volumes they stand for.
+/// Root mean square of a difference over the nodes of all columns, weighted by the nodes' volumes.
 double rms(const TransportGrid& grid, std::span<const double> a, std::span<const double> b) {
   const std::vector<double>& z = grid.z_nodes;
   const std::size_t columns = a.size() / z.size();
@@ -194,10 +195,10 @@ double observed_order(double coarse, double fine) {
   return std::log2(coarse / fine);
 }
 
-/// One set of rows.
+/// Problem of one set of rows: its id, name, and share of sites that ions take.
 struct Problem {
   std::string set, name;
-  double filling; ///< 0 for dilute ions
+  double filling; ///< share of the sites that ions at rest take; 0 for dilute ions
 };
 
 void add_space_rows(const Problem& problem, const Options& options, std::vector<Row>& rows) {
@@ -217,7 +218,8 @@ void add_space_rows(const Problem& problem, const Options& options, std::vector<
                           observed_order(coarse.concentration, fine.concentration), 1.95));
 }
 
-/// Differences between runs on one mesh: its own error and the interpolation drop out.
+/// Adds rows on the order in time, by differences between runs on one mesh, in which the error of
+/// the mesh and the interpolation cancel.
 void add_time_rows(const Problem& problem, const Options& options, std::vector<Row>& rows) {
   const auto at = [&](double refinement) {
     return run(problem.filling, 0.5, {refinement, 1e-3, 4}, options);

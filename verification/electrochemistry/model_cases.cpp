@@ -23,12 +23,12 @@ std::vector<double> edges(double from, double to, std::size_t cells) {
   return lines;
 }
 
-/// 1 inside a footprint of half width `half` about 0, with soft edges.
+/// Shape of the footprint: 1 inside the half width `half` about 0, with soft edges.
 double footprint(double x, double half) {
   return 0.5 * (std::tanh((x + half) / edge_width) - std::tanh((x - half) / edge_width));
 }
 
-/// 1 at both edges of the footprint.
+/// Shape of the footprint's edges: 1 at both edges, 0 elsewhere.
 double rim(double x, double half) {
   const double left = 1.0 / std::cosh((x + half) / edge_width);
   const double right = 1.0 / std::cosh((x - half) / edge_width);

@@ -26,8 +26,8 @@ double thermal_energy(const Case& input) {
   return constants::boltzmann * input.electrochemistry.temperature;
 }
 
-/// White noise of 4 k T R, averaged over an interval T behind a low pass of 10/T:
-///   sigma^2 = 2 k T R / T (1 - (1 - exp(-a))/a),   a = 20 pi.
+/// Row on a resistor: white noise of 4 k T R, averaged over an interval T behind a low pass of
+/// 10/T: sigma^2 = 2 k T R / T (1 - (1 - exp(-a))/a),   a = 20 pi.
 Row resistor_row() {
   constexpr double resistance = 1e-5, interval = 0.01, record = 1e6;
   const Case input = measured_cell("load", interval, {{"load_resistance", resistance}});
@@ -38,8 +38,9 @@ Row resistor_row() {
                  study::sample_noise(input, 0.0, record).thermal, expected, 2e-3 * expected);
 }
 
-/// Whatever the cell and the resistor do in between, an instant shows k T over the capacitance that
-/// is left for the quickest changes: the core as a dielectric, and the capacitor.
+/// Row on a cell beside a capacitor: whatever cell and resistor do in between, the voltage at an
+/// instant shows k T over the capacitance for the quickest changes, which is the core as a
+/// dielectric and the capacitor.
 Row capacitance_row(double capacitance) {
   constexpr double resistance = 10.0, instant = 1e-7, record = 1e5;
   const Case input = measured_cell(

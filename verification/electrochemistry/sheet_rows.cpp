@@ -28,7 +28,7 @@ constexpr double squares = 4.0;                 // [ohm], of both metals togethe
 constexpr double amplitude = 1e-4, rise = 0.05; // of the voltage at the leads [V], [s]
 constexpr std::array sheet_instants{0.1, 0.3, 1.0, 3.0};
 
-/// A strip many cores long whose electrodes have a sheet resistance.
+/// Case of a strip, many core thicknesses long, whose electrodes have a sheet resistance.
 Case strip(ElectrodeContact contact) {
   Case input = model_case();
   input.skin.width = 0.2e-3;
@@ -40,7 +40,7 @@ Case strip(ElectrodeContact contact) {
   return input;
 }
 
-/// Instants at which charges are looked at, up to one.
+/// Instants up to `end` at which charges are compared.
 std::vector<double> instants_until(double end) {
   std::vector<double> times(sheet_instants.begin(), sheet_instants.end());
   std::erase_if(times, [end](double time) { return time > end; });
@@ -55,7 +55,7 @@ history::CoreHistory at_rest(const Case& input, std::vector<double> times) {
   return history;
 }
 
-/// The leads at amplitude (1 - exp(-t/rise)).
+/// Solves the cell with its leads at the voltage amplitude (1 - exp(-t/rise)).
 IonSolution charge_by_leads(const Case& input, const Options& options,
                             double end = sheet_instants.back()) {
   const std::vector<double> times = instants_until(end);
@@ -68,7 +68,8 @@ IonSolution charge_by_leads(const Case& input, const Options& options,
   return electrochemistry::solve_ion_transport(input, at_rest(input, times), ion_options, timers);
 }
 
-/// A line of resistors along the metal and cells across it, docs/model.md (68).
+/// Closed-form solution in the Laplace domain of a line of resistors along the metal and cells
+/// across it, docs/model.md (68).
 class Line {
 public:
   explicit Line(const Case& input)
@@ -77,7 +78,7 @@ public:
                                                                      : input.skin.length),
         lines_(input.skin.length / length_) {}
 
-  /// Voltage across the cell at a distance from the lead, over that of the leads.
+  /// Voltage across the cell at a distance from the lead, over the voltage of the leads.
   Complex voltage(Complex s, double distance) const {
     const Complex wave = std::sqrt(squares / cell_.impedance(s));
     return std::cosh(wave * (length_ - distance)) / std::cosh(wave * length_);
@@ -86,7 +87,7 @@ public:
     const Complex wave = std::sqrt(squares / cell_.impedance(s));
     return lines_ * width_ * wave / squares * std::tanh(wave * length_);
   }
-  /// Transform of the voltage of the leads.
+  /// Laplace transform of the voltage of the leads.
   static Complex source(Complex s) { return amplitude * (1.0 / s - 1.0 / (s + 1.0 / rise)); }
 
   double charge(double time) const {
@@ -148,8 +149,8 @@ void add_sheet_order_row(const Options& options, std::vector<Row>& rows) {
                           std::log2((charge[0] - charge[1]) / (charge[1] - charge[2])), 1.8));
 }
 
-/// The end of the lead makes the current density singular, which columns resolve in proportion to
-/// their width.
+/// Adds rows on a lead at a corner. The end of a lead makes the current density singular, and
+/// columns resolve it in proportion to their width.
 void add_corner_rows(const Options& options, std::vector<Row>& rows) {
   Case input = strip(ElectrodeContact::corner);
   input.skin.width = 2.4e-3;
@@ -181,7 +182,7 @@ void add_corner_rows(const Options& options, std::vector<Row>& rows) {
                std::log2(error(solution) / error(charge_by_leads(input, options, instant))), 0.8));
 }
 
-/// Many resistors and cells one after another, from the far end on.
+/// Impedance of a ladder of many resistors and cells, summed from the far end on.
 Complex ladder(Complex cell, double length, double width, int count) {
   const double step = length / count;
   Complex admittance = 0.0;

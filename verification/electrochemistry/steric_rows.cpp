@@ -47,14 +47,15 @@ double layer_charge(double potential, double filling) {
   return std::copysign(std::sqrt(2.0 * integral), potential);
 }
 
-/// The same in closed form, docs/model.md (16): sigma^2 / 2 = psi + ln(1 - b + b exp(-psi)) / b.
+/// Charge of such a double layer in closed form, docs/model.md (16): sigma^2 / 2 = psi + ln(1 - b +
+/// b exp(-psi)) / b.
 double closed_layer_charge(double potential, double filling) {
   const double square = potential + std::log1p(filling * std::expm1(-potential)) / filling;
   return std::copysign(std::sqrt(2.0 * square), potential);
 }
 
-/// Charge of both layers of a core of many Debye lengths under `voltage`: the layers share the
-/// voltage so that their charges are equal and opposite.
+/// Charge of both double layers of a core of many Debye lengths under `voltage`, which they share
+/// so that their charges are equal and opposite.
 double cell_charge(double voltage, double filling) {
   double low = 0.0, high = voltage;
   for (int i = 0; i < 60; ++i) {
@@ -81,8 +82,8 @@ double settled_charge(const Case& input, double voltage, const Options& options)
   return solution.charge_top.back() / (scales.charge_density * electrode_area);
 }
 
-/// Observed orders at a small voltage: at larger ones errors of either sign cancel on meshes that
-/// are not far finer than any in use.
+/// Adds rows on the observed orders at a small voltage; at larger voltages errors of either sign
+/// cancel on affordable meshes.
 void add_order_rows(double filling, const Options& options, std::vector<Row>& rows) {
   constexpr double voltage = 1.0;
   double coarser = 0.0;
@@ -118,8 +119,9 @@ void add_steric_layer_rows(const Options& options, std::vector<Row>& rows) {
   add_order_rows(crowded, options, rows);
 }
 
-/// With the thermodynamic factor f = 1/(1 - c0/c_max) small signals are those of dilute ions with f
-/// times the diffusivity and, as the electrodes' charges at one potential go, the permittivity.
+/// Case of dilute ions with the small signals of a steric case: with the thermodynamic factor f =
+/// 1/(1 - c0/c_max) it has f times the diffusivity and, as for the electrodes' charges at one
+/// potential, f times the permittivity.
 Case equivalent_dilute_case(const Case& steric) {
   Case input = steric;
   const double factor = 1.0 / (1.0 - input.electrochemistry.resting_concentration() /
@@ -143,8 +145,8 @@ double largest_deviation(const Case& a, const Case& b, const history::CoreHistor
   return error / scale;
 }
 
-/// The impedance of the steric cell: that of dilute ions with f times the diffusivity and
-/// permittivity, whose potentials are 1/f of its own.
+/// Error of the steric cell's impedance, against dilute ions with f times the diffusivity and
+/// permittivity, whose potentials are 1/f of those of the steric cell.
 double impedance_error() {
   const Case input = steric_case(0.5, Preset::fine);
   const Case dilute = equivalent_dilute_case(input);

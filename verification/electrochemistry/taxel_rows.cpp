@@ -22,11 +22,12 @@ using electrochemistry::IonSolution;
 
 constexpr double strip_length = 1e-3, strip_width = 0.5e-3; // [m]
 
-/// Keeps voltages of an open taxel far below the thermal voltage, as the linear equations want.
+/// Coupling coefficient, so small that the voltages of an open taxel stay far below the thermal
+/// voltage, as the linear equations require.
 constexpr double smallness = 0.01;
 constexpr std::array compared_instants{1e-3, 0.01, 0.1, 1.0, 4.0};
 
-/// A strip whose top face is cut across its middle; every taxel has its own load.
+/// Case of a strip whose top face is cut across its middle; every taxel has its own load.
 Case strip(double load_a, double load_b) {
   Case input = model_case();
   input.coupling.coefficient = smallness;
@@ -50,7 +51,8 @@ IonSolution run_strip(const Case& input, const Options& options) {
   return run_model(input, history, options);
 }
 
-/// Two halves of a linear strip in waves along it, docs/model.md (66), each with its load.
+/// Closed-form solution of two halves of a linear strip, each with its load, by waves along it,
+/// docs/model.md (66).
 class CutStrip {
 public:
   /// @param columns of the grid whose waves are summed; 0 for waves of a continuum
@@ -59,7 +61,7 @@ public:
         loads_{input.readout.taxels[0].parameters.at("load_resistance"),
                input.readout.taxels[1].parameters.at("load_resistance")} {}
 
-  /// Transforms of the voltages.
+  /// Laplace transforms of the voltages of both halves.
   std::array<Complex, 2> voltages(Complex s) const {
     const double area = strip_length * strip_width;
     const Complex even = area / (4.0 * s * cell_.impedance(s)), odd = area * waves_.odd_waves(s);
@@ -84,8 +86,8 @@ double expected(const CutStrip& strip, std::size_t taxel, double time) {
   return inverse_laplace([&](Complex s) { return strip.voltages(s)[taxel]; }, time);
 }
 
-/// One taxel behind the resistance of the core below it, the other as good as open: its voltage
-/// leaks along the core to the first.
+/// Case of one taxel in series with the resistance of the core below it, and of another that is
+/// practically open, whose voltage leaks along the core to the first.
 Case bridged(const Case& plain) {
   const double resistance = LinearCell(plain).resistance() / (0.5 * strip_length * strip_width);
   return strip(resistance, 1e6 * resistance);
@@ -107,8 +109,8 @@ void add_bridge_rows(const Options& options, std::vector<Row>& rows) {
   }
 }
 
-/// At 4 s the double layers have carried the leak further than a column is wide, and the cut is
-/// resolved.
+/// Adds the row on the order by columns, at 4 s, when the double layers have carried the leak
+/// further than a column is wide, so that the cut is resolved.
 void add_order_row(const Options& options, std::vector<Row>& rows) {
   constexpr double instant = 4.0;
   std::vector<double> errors;
@@ -161,7 +163,7 @@ void add_conservation_rows(const Options& options, std::vector<Row>& rows) {
                          sum / scale, 1e-10));
 }
 
-/// Shear of one column of cells at rest, odd through the thickness.
+/// Strain history of a local shear, odd through the thickness, in one lateral column at rest.
 history::CoreHistory local_history(bool at_the_left, double length) {
   std::vector<double> times{0.0};
   times.insert(times.end(), compared_instants.begin(), compared_instants.end());

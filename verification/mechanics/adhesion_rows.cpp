@@ -28,24 +28,24 @@ constexpr double block_modulus = 1e6, block_ratio = 0.3; // [Pa], [1]
 constexpr double sphere_radius = 10e-3;                  // [m]
 constexpr double pull_off_radius = 200e-6;               // of the contact, by JKR [m]
 constexpr double plane = block_modulus / (1 - block_ratio * block_ratio); // [Pa]
-/// Work of adhesion for that radius, a = (9 pi w R^2 / (8 E*))^(1/3).
+/// Work of adhesion w at which the pull-off radius is a = (9 pi w R^2 / (8 E*))^(1/3).
 const double work_of_adhesion =
     8 * plane * std::pow(pull_off_radius, 3) / (9 * pi * sphere_radius * sphere_radius);
-/// Unit of heights: a^2 / R [m]. By JKR the force has its least at -1/3 of it, and the contact
-/// under a given height comes off at -0.69.
+/// Unit of heights, a^2/R [m]. By JKR the force is least at -1/3 of the unit, and the contact under
+/// a given height comes off at -0.69.
 constexpr double height_unit = pull_off_radius * pull_off_radius / sphere_radius;
 /// Indentation from which the slider is pulled off, in units of `height_unit`; the contact is then
 /// a quarter wider than at pull-off.
 constexpr double pressed = 0.1;
 
-/// Strength of the transition parameter of Maugis 1992, doi 10.1016/0021-9797(92)90285-T:
-/// lambda = 2 s0 / (pi w K^2 / R)^(1/3), K = 4 E* / 3.
+/// Strength of adhesion s0 at a transition parameter of Maugis 1992, doi
+/// 10.1016/0021-9797(92)90285-T: lambda = 2 s0 / (pi w K^2 / R)^(1/3), K = 4 E* / 3.
 double strength_of(double transition) {
   const double k = 4 * plane / 3;
   return 0.5 * transition * std::cbrt(pi * work_of_adhesion * k * k / sphere_radius);
 }
 
-/// Pull-off force over pi w R of a constant traction in the gap: the fit to Maugis' curve of
+/// Pull-off force over pi w R of an adhesion with constant traction: the fit to Maugis' curve of
 /// Pietrement and Troyon 2000, doi 10.1006/jcis.2000.6808 (better than 1 %).
 double maugis_force(double transition) {
   const double power = 4.04 * std::pow(transition, 1.4);
@@ -76,11 +76,11 @@ Case adhesive_block(double transition, double refinement) {
 }
 
 struct PullOff {
-  double force = 0;     ///< largest pull over pi w R
-  double scatter = 0;   ///< of the pulls about the curve that it is taken from, over the same
+  double force = 0;     ///< largest pull, over pi w R
+  double scatter = 0;   ///< scatter of the pulls about the parabola, over pi w R
   double let_go = 0;    ///< height at which the sphere comes off, over a^2 / R
-  double cell = 0;      ///< over the contact radius at pull-off
-  bool refused = false; ///< true if a run refuses so large cells
+  double cell = 0;      ///< size of a cell, over the contact radius at pull-off
+  bool refused = false; ///< true if a run refuses cells of this size
 };
 
 bool refuses(const Case& input, const mechanics::SkinModel& model) {
@@ -93,8 +93,9 @@ bool refuses(const Case& input, const mechanics::SkinModel& model) {
   }
 }
 
-/// Pressed, then raised in small steps until nothing holds. Cells let go one by one, which ripples
-/// the force: the largest is that of the parabola through the heights around it, by least squares.
+/// Presses the sphere and raises it in small steps until nothing holds. Cells let go one by one,
+/// which ripples the force: the largest pull is that of the least-squares parabola through the
+/// heights around it.
 PullOff pull_off(double transition, double refinement) {
   constexpr double way = 0.05, crest_begin = -0.01, crest_end = 0.51;
   constexpr double widest = 1.45 * pull_off_radius;

@@ -19,8 +19,8 @@ namespace {
 using mechanics::ContactSolution;
 using mechanics::ContactState;
 
-/// Middle and half width of the ranges spanned by two independent finite element codes and a
-/// spectral one on fine meshes.
+/// Reference range: middle and half width of the range spanned by two independent finite element
+/// codes and a spectral one on fine meshes.
 struct Reference {
   double friction;
   double touchdown_force, touchdown_force_range; // [N]
@@ -33,12 +33,12 @@ constexpr Reference references[] = {
     {0.05, 66.0, 0.3, 2.60e-3, 65.05, 0.15, 3.08e-3, 0.0, 0.9e-6},
     {0.3, 68.3, 0.5, 2.54e-3, 65.0, 0.3, 8.475e-3, 0.025e-3, 5.4e-6},
     {0.5, 68.4, 0.5, 2.535e-3, 64.7, 0.3, 1.3395e-2, 0.045e-3, 9e-6}};
-/// Discretisation error granted to the coarse preset.
+/// Relative discretisation error that the coarse preset is allowed.
 constexpr double coarse_tolerance = 0.02;
 
 using Instants = std::vector<const mechanics::SteppedInstant*>;
 
-/// Instants at which the slider touches between two times, the first excluded.
+/// Instants at which the slider touches after `from` and until `to`.
 Instants touching(const ContactSolution& solution, double from, double to) {
   Instants instants;
   for (const mechanics::SteppedInstant& instant : solution.stepped) {
@@ -63,7 +63,7 @@ double mean_shear(const Case& input, const ContactSolution& solution,
          input.skin.core_volume();
 }
 
-/// M6: forces and mean shear against the reference ranges.
+/// Adds the rows M6: forces and mean shear against the reference ranges.
 void add_baseline_rows(const Case& input, const Reference& reference,
                        const ContactSolution& solution, std::vector<Row>& rows) {
   const auto add = [&](const char* quantity, double value, double expected, double range) {
@@ -82,7 +82,7 @@ void add_baseline_rows(const Case& input, const Reference& reference,
       reference.slide_shear_range);
 }
 
-/// M7: slider travel at which the friction force comes within 0.1 % of its limit.
+/// Row M7: slider travel at which the friction force comes within 0.1 % of its limit.
 Row full_slip_row(const Case& input, const Reference& reference, const ContactSolution& solution) {
   const double begin_of_slide = input.motion.touchdown;
   const Instants onset =
@@ -106,8 +106,8 @@ Row full_slip_row(const Case& input, const Reference& reference, const ContactSo
                  0.15 * reference.full_slip_travel * 1e6);
 }
 
-/// Friction of all cells over mu times their pressure, less 1: they slip in directions of their
-/// own.
+/// Relative difference between the sum of all friction tractions, as magnitudes, and mu times the
+/// pressures. The cells slip in directions of their own.
 double friction_excess(const ContactState& state, double friction) {
   double tangential = 0, normal = 0;
   for (std::size_t cell = 0; cell < state.normal_traction.size(); ++cell) {
@@ -117,7 +117,7 @@ double friction_excess(const ContactState& state, double friction) {
   return std::abs(tangential / (friction * normal) - 1);
 }
 
-/// M4 and M5 over every state that is kept.
+/// Adds the rows M4 and M5 over every stored state.
 void add_condition_rows(const Case& input, double friction, const ContactSolution& solution,
                         std::vector<Row>& rows) {
   double full_slip = 0;
@@ -152,7 +152,8 @@ double difference(const ContactState& one, const ContactState& other) {
   return scale > 0 ? largest / scale : 1;
 }
 
-/// M8: a second touch on the skin that the first one left, stepped in one path, repeats it.
+/// Adds the row M8: a second touch on the skin as the first one left it, stepped in one path, which
+/// must repeat the first.
 void add_cycle_rows(const Case& cycle, const Options& options, std::vector<Row>& rows) {
   Case input = cycle;
   const std::vector<MotionLeg> legs = motion_legs(cycle.motion, cycle.slider);

@@ -12,13 +12,14 @@ namespace ionskin::verification {
 namespace {
 
 struct Averages {
-  double edge_size = 0;    ///< of the elements under the slider's edges [m]
+  double edge_size = 0;    ///< size of the elements under the slider's edges [m]
   double normal_force = 0; ///< [N]
   double mean_shear = 0;   ///< [1]
 };
 
-/// Steady sliding of a slider over the whole width between symmetric sides: one element across, so
-/// that strong refinement is cheap, with the same singular edges as in three dimensions.
+/// Averages of steady sliding in plane strain, of a slider over the whole width between symmetric
+/// sides: one element across, so that strong refinement is cheap, with the same singular edges as
+/// in three dimensions.
 Averages plane_strain_averages(double refinement) {
   Case input = baseline_case();
   input.skin.sides = SideCondition::symmetry;
@@ -33,7 +34,7 @@ Averages plane_strain_averages(double refinement) {
   return {footprint[1] - footprint[0], state.normal_force, 2 * integral / input.skin.core_volume()};
 }
 
-/// The order p for which three values fit a limit plus a multiple of size^p, by bisection.
+/// Observed order p, by bisection: three values fit a limit plus a multiple of size^p.
 double observed_order(const std::array<Averages, 3>& at, double Averages::*value) {
   const double ratio = (at[1].*value - at[0].*value) / (at[2].*value - at[1].*value);
   double low = 0.01, high = 8;
@@ -51,9 +52,10 @@ double limit(const std::array<Averages, 4>& at, double Averages::*value) {
          (at[3].*value - at[2].*value) * at[3].edge_size / (at[2].edge_size - at[3].edge_size);
 }
 
-/// Effectivity of an estimate: the error that the second of four averages is stated to have, over
-/// the true one: by its difference to the first, on twice the mesh sizes, as runs state it; and by
-/// Richardson's extrapolation, with the order at which the last follows on half the sizes.
+/// Effectivity of an error estimate: the estimated over the true error of the second of four
+/// averages. The estimates are the difference to the first average, on twice the mesh sizes, as
+/// runs report it; and Richardson's extrapolation with the order at which the last follows on half
+/// the sizes.
 struct Effectivity {
   double stated = 0, extrapolated = 0;
 

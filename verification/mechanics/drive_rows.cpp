@@ -19,7 +19,7 @@ using mechanics::DriveEnd;
 using mechanics::LoadKind;
 using mechanics::SlidingContact;
 
-/// A block on a stiff table, drawn by a spring: the textbook's stick-slip.
+/// Textbook case of stick-slip: a block on a stiff table, drawn by a spring.
 namespace block {
 
 constexpr double normal_force = 1; // [N]
@@ -44,11 +44,11 @@ laws::Friction friction() {
 
 } // namespace block
 
-/// Mean time between the peaks of the drive's force, and mean height of the peaks over the
-/// valleys.
+/// Stick-slip of a solution: mean time between the peaks of the drive's force, and mean height of
+/// the peaks over the valleys.
 struct StickSlip {
-  double period = 0;    ///< [s]
-  double amplitude = 0; ///< [N]
+  double period = 0;    ///< mean time between peaks [s]
+  double amplitude = 0; ///< mean height of the peaks over the valleys [N]
 };
 
 class PeakCounter {
@@ -75,7 +75,8 @@ public:
   }
 
 private:
-  /// Peak of the parabola through the last three instants.
+  /// Adds a peak of the force, that of the parabola through the last three instants, if there is
+  /// one.
   void add_peak(double time, double force) {
     const double left = last_time_ - time_before_, right = time - last_time_;
     const double rise = (last_ - before_) / left, fall = (force - last_) / right;
@@ -96,8 +97,8 @@ private:
   int count_ = 0, peaks_ = 0;
 };
 
-/// The ordinary differential equation of the block in steps of a microsecond, by the classical
-/// method of Runge and Kutta while it slips; where it sticks, it stands still until the pull
+/// Reference solution: the block's ordinary differential equation in steps of a microsecond, by the
+/// classical Runge-Kutta method while it slips; while it sticks, it stands still until the pull
 /// exceeds static friction.
 StickSlip reference() {
   constexpr double step = 1e-6;
@@ -142,7 +143,7 @@ StickSlip reference() {
   return peaks.mean();
 }
 
-/// The engine with equal steps on a skin of one cell that hardly gives.
+/// Stick-slip by the contact engine, with equal steps, on a skin of one stiff cell.
 StickSlip in_steps(double step) {
   const Eigen::MatrixXd stiff = 1e-10 * Eigen::MatrixXd::Identity(3, 3);
   SlidingContact contact([&](const auto&, auto& problem) { problem.compliance = stiff; }, {1e-6},
@@ -161,8 +162,8 @@ StickSlip in_steps(double step) {
   return peaks.mean();
 }
 
-/// The block as a case of its own: a flat slider on a skin that is stiff all through,
-/// whose steps find their length themselves.
+/// Stick-slip of the block as a case: a flat slider on a skin that is stiff throughout, with steps
+/// that are chosen automatically.
 StickSlip as_case(double time_refinement, const Options& options) {
   Case input = baseline_case();
   for (Layer& layer : input.skin.layers) {

@@ -19,7 +19,8 @@ using Ratio = std::array<double, 2>;
 constexpr double coefficient = 0.3;
 constexpr double stroke_length = 0.5e-3; // [m]
 
-/// A short stroke of a small flat slider, on a skin so wide that it may go any way.
+/// Case of a short stroke of a small flat slider, on a skin so wide that the stroke may go in any
+/// direction.
 Case short_stroke(const std::string& law, const laws::LawValues& parameters, double speed,
                   const std::array<double, 2>& direction) {
   Case input = baseline_case();
@@ -49,7 +50,7 @@ const mechanics::ContactState& at(const mechanics::ContactSolution& solution, do
           })->state;
 }
 
-/// Tangential over normal force along x and y in the middle of the stroke.
+/// Ratio of the tangential to the normal force, along x and y, in the middle of the stroke.
 Ratio sliding_ratio(const Case& input, const Options& options) {
   const mechanics::ContactSolution solution = solve_at_one_place(input, options);
   const mechanics::ContactState& state =
@@ -91,8 +92,8 @@ void add_direction_rows(const Options& options, std::vector<Row>& rows) {
                          1e-3));
 }
 
-/// Tangential forces over the full one of a slider that is pressed, moved by a travel, and moved
-/// back.
+/// Loop of a slider that is pressed, moved by a travel, and moved back: tangential forces over that
+/// of full slip.
 struct Loop {
   double half_way = 0, turn = 0;
   double back = 0; ///< place where it began
@@ -135,8 +136,9 @@ Loop loop_of(const std::string& law, const laws::LawValues& parameters, double t
   return {force(0.2), force(0.3), force(0.5)};
 }
 
-/// The way back from a turn is the way there, turned and twice as large (Masing 1926), which is the
-/// loop of Mindlin and Deresiewicz 1953 for spheres and holds for every law without speed.
+/// Adds rows on loops: the branch after a reversal is the first branch, turned and twice as large
+/// (Masing 1926), which is the loop of Mindlin and Deresiewicz 1953 for spheres and holds for every
+/// law that does not depend on speed.
 void add_loop_rows(const Options& options, std::vector<Row>& rows) {
   constexpr double travel = 1e-6;
   const Loop coulomb = loop_of("coulomb", {}, travel, options);

@@ -17,7 +17,7 @@ using mechanics::ContactSolution;
 using mechanics::ContactState;
 using mechanics::SteppedInstant;
 
-/// A small skin on a mesh that costs little: these rows compare solutions on one mesh.
+/// Case of a small skin on a cheap mesh, for rows that compare solutions on one mesh.
 Case small_case() {
   Case input = baseline_case();
   input.skin.length = 5e-3;
@@ -55,11 +55,12 @@ double shear(const ContactSolution& solution, const SteppedInstant& instant) {
   return solution.mesh.half_model() ? 2 * meshed : meshed;
 }
 
-/// Strains combine those of few loads, which leave up to this much of a load out; forces do not.
+/// Tolerance of strains [1]. They are combined from the strains of few loads, which may leave this
+/// much of a load out; forces are not.
 constexpr double combined_strain = 1e-6;
 
 struct Difference {
-  double forces = 0, shear = 0; ///< relative
+  double forces = 0, shear = 0; ///< relative differences of forces, and of shear
 };
 
 /// Largest relative difference of forces and shear in two solutions of the same cycle, where the
@@ -88,7 +89,7 @@ void add_difference(const std::string& quantity, const Difference& difference, d
   rows.push_back(at_most("M9", quantity + ", shear", difference.shear, combined_strain));
 }
 
-/// A slide seen in a mirror along x, along y or along both.
+/// Mirrors a slide along x, along y or along both.
 Case mirrored(Case input, const std::array<double, 2>& mirror) {
   const std::array<double, 2> extent{input.skin.length, input.skin.width};
   for (std::size_t d = 0; d < 2; ++d) {
@@ -100,8 +101,8 @@ Case mirrored(Case input, const std::array<double, 2>& mirror) {
   return input;
 }
 
-/// Off-centre and oblique slides against their mirror images, none of which shares a position with
-/// its image within one solution.
+/// Adds rows that compare off-centre and oblique slides with their mirror images; no solution
+/// contains a position and its image.
 void add_mirror_rows(const Options& options, std::vector<Row>& rows) {
   const auto add = [&](const std::string& quantity, const Case& input,
                        const std::array<double, 2>& mirror) {
@@ -119,7 +120,7 @@ void add_mirror_rows(const Options& options, std::vector<Row>& rows) {
   add("oblique slide against its mirror image", oblique, {-1, -1});
 }
 
-/// The half model meshes the same elements as the full one.
+/// Adds the row that compares the half model with the full one, which has the same elements.
 void add_half_model_row(const Options& options, std::vector<Row>& rows) {
   const Case input = small_case();
   add_difference("half model against full model",
@@ -127,7 +128,8 @@ void add_half_model_row(const Options& options, std::vector<Row>& rows) {
                  rows);
 }
 
-/// A square skin and slider: x and y differ by the element counts outside the footprint alone.
+/// Adds the row that compares slides along x and y of a square slider on a square skin; only the
+/// numbers of elements outside the footprint differ.
 void add_direction_row(const Options& options, std::vector<Row>& rows) {
   Case along_x = small_case();
   along_x.skin.width = along_x.skin.length = 3e-3;
@@ -147,14 +149,15 @@ void add_direction_row(const Options& options, std::vector<Row>& rows) {
 
 constexpr int instants_of_stroke = 10;
 
-/// @param stroke from 1 on
+/// Instant of a sample within a stroke [s].
+/// @param stroke number of the stroke, from 1
 double instant_of_stroke(int stroke, int index) {
   const Case input = small_case();
   return input.motion.touchdown +
          input.motion.slide * (stroke - 1 + static_cast<double>(index) / instants_of_stroke);
 }
 
-/// Largest difference of the tangential force in two strokes, over its largest magnitude.
+/// Largest difference of the tangential force between two strokes, over its largest magnitude.
 double loop_gap(const ContactSolution& solution, int stroke, int other) {
   double gap = 0, scale = 0;
   for (int i = 1; i <= instants_of_stroke; ++i) {
@@ -179,9 +182,9 @@ ContactSolution rub(Case& input, double stroke, const Options& options) {
   return solve(input, options);
 }
 
-/// Short strokes with all their history. Where each slides fully, it forgets what was before. Where
-/// a part sticks throughout, the loop would close at once if normal and tangential contact were
-/// uncoupled; here it settles.
+/// Adds rows on short strokes to and fro with all their history. Where each stroke slides fully,
+/// the history is forgotten. Where a part sticks throughout, the loop would close at once if normal
+/// and tangential contact were uncoupled; here it settles.
 void add_reversal_rows(const Options& options, std::vector<Row>& rows) {
   Case sliding = small_case();
   const ContactSolution full = rub(sliding, 5e-6, options);
@@ -204,7 +207,7 @@ void add_reversal_rows(const Options& options, std::vector<Row>& rows) {
       1e-3));
 }
 
-/// A force instead of an indentation.
+/// Adds rows on a prescribed force in place of an indentation.
 void add_force_rows(const Options& options, std::vector<Row>& rows) {
   Case input = small_case();
   input.motion.preload = 0;

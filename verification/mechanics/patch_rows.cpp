@@ -7,7 +7,8 @@
 
 namespace ionskin::verification {
 
-/// Waves so long that they do not vary over the thickness, against columns of the layers.
+/// Rows M1: waves so long that they do not vary over the thickness, against the exact columns of
+/// the layers.
 std::vector<Row> patch_rows() {
   constexpr double wave_number = 1e-2; // [1/m]
   const std::vector<finite_layers::ElasticLayer> layers =

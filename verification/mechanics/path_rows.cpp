@@ -26,7 +26,7 @@ ContactSolution solve_path(const Case& input, const Options& options) {
   return mechanics::solve_contact(input, contact, timers);
 }
 
-/// The stroke of a case as rows of a path.
+/// Case with the stroke of another case as the rows of a path.
 Case in_rows(Case input, int rows) {
   const Motion strokes = input.motion;
   input.motion.kind = MotionKind::waypoints;
@@ -43,7 +43,8 @@ Case in_rows(Case input, int rows) {
   return input;
 }
 
-/// Figures of a slide in its middle and over its onset, from the legs of a stroke and from rows.
+/// Adds rows that compare a slide, in its middle and over its onset, from the legs of a stroke and
+/// from rows of a path.
 void add_leg_rows(const Options& options, std::vector<Row>& rows) {
   const Case stroke = baseline_case(), path = in_rows(stroke, 500);
   const ContactSolution legs = solve_path(stroke, options), stepped = solve_path(path, options);
@@ -74,8 +75,8 @@ void add_leg_rows(const Options& options, std::vector<Row>& rows) {
                          handover::energy_balance(step_time, stepped).relative_error, 5e-3));
 }
 
-/// A path of random steps, from a tenth of a micrometre to the whole stroke, that presses, slides,
-/// turns, lands and leaves as it comes.
+/// Case of a random path: steps from a tenth of a micrometre to the whole stroke, which press,
+/// slide, turn, land and lift off at random.
 Case random_path(Case input, bool by_force, unsigned seed) {
   std::mt19937 random(seed);
   const auto unit = [&] { return static_cast<double>(random()) / 4294967296.0; };

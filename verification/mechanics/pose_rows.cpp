@@ -26,7 +26,7 @@ using std::numbers::pi;
 
 constexpr double modulus_of_block = 1e9; // [Pa]
 
-/// One material in all layers, four times as long as deep.
+/// Case of a block of one material, four times as long as deep.
 Case even_block(double depth, double poissons_ratio) {
   const Material material{"block", modulus_of_block, poissons_ratio};
   Case input;
@@ -59,7 +59,7 @@ double tilted_punch(double depth_ratio, double refinement) {
   return skin.moment()[1] / input.skin.width / expected;
 }
 
-/// K(k) - E(k) with k^2 = 1 - x^2.
+/// Difference of the complete elliptic integrals K(k) - E(k) with k^2 = 1 - x^2.
 double difference_of_integrals(double x) {
   const double k = std::sqrt((1 - x) * (1 + x));
   return boost::math::ellint_1(k) - boost::math::ellint_2(k);
@@ -71,7 +71,7 @@ double difference_of_integrals(double x) {
 /// beta = 3 mu P / (4 pi G a^2) (K - E) of the half-space, and the torque below.
 struct Lubkin {
   double turn = 0;   ///< beta G a^2 / (mu P)
-  double torque = 0; ///< over mu P a
+  double torque = 0; ///< torque over mu P a
 };
 
 Lubkin lubkin(double stick_radius) { // over a
@@ -82,7 +82,7 @@ Lubkin lubkin(double stick_radius) { // over a
           4 / pi * (c * c * c * difference_of_integrals(c) + 3 * behind)};
 }
 
-/// Torque after a given turn.
+/// Torque of Lubkin's sphere after a given turn, over mu P a.
 double lubkin_torque(double turn) {
   std::uintmax_t iterations = 100;
   const auto [low, high] = boost::math::tools::toms748_solve(
@@ -97,7 +97,8 @@ struct SphereSpin {
   double partial = 0, full = 0;
 };
 
-/// The block is nearly incompressible, so that pressure moves nothing sideways.
+/// Torques of a spinning sphere on a nearly incompressible block, in which pressure moves nothing
+/// sideways.
 SphereSpin sphere_spin(double refinement) {
   constexpr double radius = 10e-3, indentation = 10e-6, nu = 0.4999, mu = 0.3;
   const double contact = std::sqrt(radius * indentation);
@@ -126,8 +127,8 @@ SphereSpin sphere_spin(double refinement) {
   return result;
 }
 
-/// Moment over force of a sphere that is tilted about its lowest point and so touches beside it, by
-/// its radius times the tilt, which is the arm: found over expected.
+/// Largest relative deviation of moment over force from the arm radius times tan(tilt), for a
+/// sphere that is tilted about its lowest point and so touches beside this point.
 double tilted_sphere() {
   constexpr double radius = 4e-3, tilt = 0.02;
   Case input = even_block(2e-3, 0.3);
@@ -183,7 +184,7 @@ double quarter_turn(const Options& options) {
   return largest;
 }
 
-/// Middles and sizes of the halves of columns between lines [m].
+/// Centres and widths of the halves of columns between lines [m].
 std::vector<std::array<double, 2>> halves(const std::vector<double>& lines) {
   std::vector<std::array<double, 2>> result;
   for (std::size_t i = 0; i + 1 < lines.size(); ++i) {
@@ -243,7 +244,8 @@ double moment_imbalance(const mechanics::ContactSolution& solution, const Case& 
   return imbalance / largest;
 }
 
-/// A tilted ball off the middle of a skin, pressed, turned in place, and drawn on.
+/// Imbalance of moments for a tilted ball off the middle of a skin, pressed, turned in place, and
+/// drawn on.
 double moments_through_levels(const Options& options) {
   Case input = baseline_case();
   input.skin.length = 5e-3;

@@ -21,8 +21,8 @@ double plane_modulus() {
   return modulus / (1 - poissons_ratio * poissons_ratio);
 }
 
-/// A cylinder that lands tilted on a deep block in plane strain, and rolls over the point about
-/// which it is tilted. Its creep is the way of that point over the way of the contact.
+/// Case of a cylinder that lands tilted on a deep block in plane strain, and rolls over the point
+/// about which it is tilted. Creep is the travel of this point over the travel of the contact.
 Case rolling_cylinder(double creep, double depth_ratio) {
   const double depth = depth_ratio * half_contact;
   constexpr int legs = 120;
@@ -58,8 +58,9 @@ Case rolling_cylinder(double creep, double depth_ratio) {
   return input;
 }
 
-/// State at the end of the way: force along it over that of full slip, length of the stick over
-/// that of the contact, and the middle of the pressure over where the tilt has it.
+/// State at the end of the travel: force along it over the force of full slip, length of the stick
+/// zone over the contact's, and position of the pressure's centre relative to where the tilt places
+/// it.
 struct Rolled {
   double force = 0, stick = 0, middle = 0;
 };
@@ -75,8 +76,9 @@ Rolled rolled(double creep, double depth_ratio) {
           end.moment[1] / (end.normal_force * radius * std::sin(steepest))};
 }
 
-/// The surface of a block that is held below strains under the force, which acts as a creep and
-/// falls like the contact over the depth; the second block is twice as deep.
+/// Extrapolates a value to infinite depth from blocks of which the second is twice as deep. The
+/// surface of a block of finite depth strains under the force, which acts as a creep and falls like
+/// the contact over the depth.
 double at_infinite_depth(double shallow, double deep) {
   return 2 * deep - shallow;
 }

@@ -21,7 +21,7 @@ constexpr double radius = 10e-3;            // of the slider [m]
 constexpr double round_indentation = 10e-6; // [m]
 constexpr double contact_estimate = 316e-6; // sqrt(radius * round_indentation) [m]
 
-/// One material in all layers, a block of some contact radii in depth and four times as wide.
+/// Case of a block of one material, some contact radii deep and four times as wide.
 Case block(const std::string& shape, double depth_ratio, double poissons_ratio, double friction) {
   const Material material{"block", youngs_modulus, poissons_ratio};
   const double depth = depth_ratio * contact_estimate;
@@ -53,12 +53,13 @@ double hertz_radius(double force, double poissons_ratio) {
   return std::cbrt(0.75 * force * radius / plane_modulus(poissons_ratio));
 }
 
-/// Found values over those of the half-space under the same force.
+/// Computed values over those of the half-space under the same force.
 struct HertzRatios {
   double radius = 0, pressure = 0;
 };
 
-/// @param soft of the material of the block; rigid otherwise
+/// Ratios of a sphere to Hertz.
+/// @param soft true for a sphere of the block's material, false for a rigid sphere
 HertzRatios sphere_ratios(double depth_ratio, bool soft) {
   constexpr double nu = 0.3;
   Case input = block("sphere", depth_ratio, nu, 0);
@@ -87,7 +88,8 @@ HertzRatios cylinder_ratios(double depth_ratio) {
           skin.central_pressure(expected) / (2 * force / (pi * expected))};
 }
 
-/// The error of a finite block falls like radius over depth; the second block is twice as deep.
+/// Extrapolates a value to infinite depth from blocks of which the second is twice as deep; the
+/// error falls like radius over depth.
 double at_infinite_depth(double shallow, double deep) {
   return 2 * deep - shallow;
 }
@@ -103,15 +105,15 @@ void add_hertz_rows(const char* shape, const HertzRatios& shallow, const HertzRa
 /// Partial slip under a tangential displacement (Cattaneo 1938, Mindlin 1949; Johnson, Contact
 /// Mechanics, 1985, section 7.2).
 struct PartialSlip {
-  /// Found less expected stick radius over the contact radius; the depth hardly matters to it.
+  /// Computed less expected stick radius over the contact radius; the depth hardly changes it.
   double stick_error = 0;
   double compliance = 0; ///< displacement over that of the half-space under the same forces
 };
 
-/// The theory has a pressure that moves nothing sideways: on a rigid sphere a nearly incompressible
-/// block, or two bodies alike. And it leaves out slip across, of which there is none without
-/// Poisson's ratio.
-/// @param bodies that give: the block alone, or the sphere as well
+/// Partial slip of a sphere. The theory assumes that pressure moves nothing sideways, as for a
+/// rigid sphere on a nearly incompressible block or two identical bodies, and leaves out slip
+/// across the load, of which there is none without Poisson's ratio.
+/// @param bodies number of deformable bodies: 1, the block; 2, the sphere as well
 PartialSlip partial_slip(double depth_ratio, double nu, int bodies) {
   constexpr double mu = 0.3, part_of_full_slip = 0.6;
   constexpr int steps = 3;
@@ -136,9 +138,9 @@ PartialSlip partial_slip(double depth_ratio, double nu, int bodies) {
           travel / (full_slip() * (1 - std::pow(reserve, 2.0 / 3)))};
 }
 
-/// Stick half-width over that of the contact, found less expected, of a cylinder: unlike the
-/// sphere's, whose slip has a part across that the theory leaves out, it is exact on the half-space
-/// (Cattaneo 1938; Johnson, Contact Mechanics, 1985, section 7.2).
+/// Error of a cylinder's stick half-width over the contact's, computed less expected. It is exact
+/// on the half-space (Cattaneo 1938; Johnson, Contact Mechanics, 1985, section 7.2), unlike the
+/// sphere's, whose slip has a part across that the theory leaves out.
 double cylinder_stick_error(double depth_ratio) {
   constexpr double nu = 0.4999, mu = 0.3, least_reserve = 0.5, step = 0.05; // of the indentation
   Case input = block("cylinder", depth_ratio, nu, mu);

@@ -23,7 +23,7 @@ using mechanics::ContactSolution;
 constexpr double thickness = 1e-3, middle_x = 5e-3, middle_y = 1e-3, side = 1e-3;
 constexpr double depth = 1e-6; // [m]
 
-/// A block off the middle of a thick narrow skin, which comes to it at a time and stays.
+/// Case of a block off the middle of a thick narrow skin, which lands at a time and stays.
 Case block_at(double offset, double lands, double friction) {
   const Material material{"block", 1e6, 0.4};
   Case input;
@@ -46,7 +46,7 @@ Case block_at(double offset, double lands, double friction) {
   return input;
 }
 
-/// The same that moves along x in the end.
+/// Case of such a block that moves along x in the end.
 Case moving_block(double offset, double travel) {
   Case input = block_at(offset, 0.1, 0.3);
   const std::array<double, 2> place = input.slider.start;
@@ -69,7 +69,8 @@ const mechanics::ContactState& last(const ContactSolution& solution) {
   return *solution.stepped.back().state;
 }
 
-/// Cells of two blocks as those of one grid, with a column of the gap between, which stays free.
+/// Contact grid that holds the cells of two blocks, with a column between them, which stays free,
+/// for the gap.
 ContactGrid grid_of_both(const ContactSolution& one, double offset) {
   ContactGrid both{{}, one.cell_lines_y};
   for (const double centre : {-offset, offset}) {
@@ -103,7 +104,7 @@ double force_by_matrix(const Case& input, const ContactSolution& one, double off
   return 0.5 * force.sum();
 }
 
-/// Any forces on cells [N].
+/// Arbitrary forces on cells [N].
 CellFields any_forces(const ContactGrid& cells, double phase) {
   CellFields result;
   for (std::size_t c = 0; c < 3; ++c) {
@@ -116,7 +117,8 @@ CellFields any_forces(const ContactGrid& cells, double phase) {
   return result;
 }
 
-/// Work of each of two sets of forces on what the other moves: their difference, relative (Betti).
+/// Relative difference between the works of two sets of forces, each on the displacement that the
+/// other makes (Betti).
 double reciprocity(const Case& input) {
   const ContactGrid one{{-0.5e-3, -0.1e-3, 0.5e-3}, {-0.4e-3, 0.1e-3, 0.5e-3}},
       other{{-0.2e-3, 0.1e-3, 0.2e-3}, {-0.5e-3, 0, 0.2e-3, 0.5e-3}};

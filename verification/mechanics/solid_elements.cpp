@@ -83,7 +83,8 @@ ElementMatrix stiffness(const std::array<double, 3>& size, const SolidElements::
   return result;
 }
 
-/// First and one past the last element between two lines.
+/// Index of the first element, and of one past the last, between two mesh lines. Throws
+/// std::logic_error when an end is no mesh line.
 std::array<std::size_t, 2> range(const std::vector<double>& lines,
                                  const std::array<double, 2>& between) {
   std::array<std::size_t, 2> result{};
@@ -160,7 +161,8 @@ SolidElements::SolidElements(Lines lines, const std::vector<Lame>& rows,
   displacement_ = Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>(matrix).solve(load);
 }
 
-/// Nodes run along z first and x last, so that the matrix is a narrow band.
+/// Index of a node. Nodes are numbered along z first and x last, so that the matrix is a narrow
+/// band.
 std::size_t SolidElements::node(const Element& element, std::size_t local) const {
   const std::size_t rows = 2 * lines_.of[1].size() - 1, levels = 2 * lines_.of[2].size() - 1;
   return ((2 * element[0] + local % 3) * rows + 2 * element[1] + local / 3 % 3) * levels +

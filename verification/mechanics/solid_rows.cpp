@@ -20,13 +20,13 @@ constexpr std::array<Interval, 2> loaded_columns{{{0.3e-3, 0.4e-3}, {0.4e-3, 0.5
 constexpr Interval loaded_row{0.15e-3, 0.3e-3};
 /// Forces on each cell of the half that is meshed: downwards, along x, along y [N].
 constexpr std::array<std::array<double, 3>, 2> forces{{{1.0, 0.2, 0.1}, {0.7, 0.4, -0.1}}};
-/// In the core, not on lines of any mesh [m].
+/// Points in the core, on mesh lines of neither method [m].
 constexpr std::array<std::array<double, 3>, 4> places{{{0.06e-3, 0.21e-3, 0.11e-3},
                                                        {0.34e-3, 0.23e-3, 0.09e-3},
                                                        {0.56e-3, 0.06e-3, 0.11e-3},
                                                        {0.71e-3, 0.21e-3, 0.06e-3}}};
 
-/// Answer of each method to one question.
+/// Values that both methods compute.
 struct Answer {
   std::vector<double> surface; ///< mean displacement of each cell: downwards, x, y [m]
   std::vector<double> core;    ///< strain at the places
@@ -78,7 +78,7 @@ Answer by_layers() {
   return answer;
 }
 
-/// Each interval in so many parts.
+/// Divides each interval between lines into equal parts.
 std::vector<double> divided(const std::vector<double>& lines, int parts) {
   std::vector<double> result{lines.front()};
   for (std::size_t i = 0; i + 1 < lines.size(); ++i) {
@@ -123,7 +123,7 @@ Answer by_elements(int parts) {
   return answer;
 }
 
-/// Largest difference over the largest value of the second.
+/// Largest difference of two lists, over the largest magnitude of the second.
 double difference(const std::vector<double>& one, const std::vector<double>& other) {
   double largest = 0, scale = 0;
   for (std::size_t i = 0; i < other.size(); ++i) {

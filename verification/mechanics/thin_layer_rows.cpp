@@ -10,7 +10,7 @@
 namespace ionskin::verification {
 namespace {
 
-/// Found force over that of a Winkler foundation with the oedometric modulus: a frictionless
+/// Computed force over that of a Winkler foundation with the oedometric modulus: a frictionless
 /// cylinder on a compressible bonded layer (Johnson, Contact Mechanics, 1985, section 5.8).
 double winkler_ratio(double contact_over_thickness) {
   constexpr double thickness = 0.3e-3, indentation = 1e-6;

@@ -20,7 +20,7 @@ double degree_of_consolidation(double time) {
   return 1.0 - layer.integral(layer.after_step([](double) { return 1.0; }, time));
 }
 
-/// Difference of p_u = z - 1/2 between sealed walls, by its Fourier series.
+/// Pressure difference between sealed walls after p_u = z - 1/2, by its Fourier series.
 double expected_difference(double time) {
   constexpr double pi = 3.14159265358979323846;
   double sum = 0;
@@ -30,7 +30,7 @@ double expected_difference(double time) {
   return sum;
 }
 
-/// A sealed core of 6 x 4 columns whose load moves about, then is held.
+/// Sealed core of 6 x 4 columns under a load that moves and is then held.
 struct SealedCore {
   std::size_t columns = 24;
   std::vector<double> lengths =
@@ -56,7 +56,7 @@ struct SealedCore {
     state = std::move(end);
     water.pressure(state, pressure);
   }
-  /// Integral of what `of(node)` gives, over the area of a column.
+  /// Integral of `of(node)` over the core, per area of a column.
   template <class Of> double integral(const Of& of) const {
     double sum = 0;
     for (std::size_t i = 0; i < pressure.size(); ++i) {
@@ -66,7 +66,7 @@ struct SealedCore {
   }
 };
 
-/// Largest change of the water in it, over the amount that the load would move.
+/// Largest change of the amount of water in the core, over the amount that the load would move.
 double lost_water() {
   SealedCore core;
   double worst = 0;

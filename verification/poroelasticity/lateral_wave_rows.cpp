@@ -12,8 +12,8 @@ namespace {
 
 constexpr std::size_t columns = 48;
 
-/// Amplitude of the top electrode's charge, in proportion to cos(pi x/length), a time after a wave
-/// of undrained pressure of 1 MPa [C/m2]. Water does not move.
+/// Amplitude of the top electrode's charge, proportional to cos(pi x/length), at a time after a
+/// wave of undrained pressure of 1 MPa [C/m2]; the water does not move.
 double charge_amplitude(bool odd, double time, const Options& options) {
   Case input = wet_case();
   const double length = 2 * input.skin.core_thickness();

@@ -8,20 +8,25 @@
 
 namespace ionskin::verification {
 
-/// A layer of unit thickness, mobility and consolidation coefficient in quadratic elements.
+/// Layer of water-filled core with unit thickness, unit mobility and unit consolidation
+/// coefficient, in quadratic elements through its thickness; all its quantities are dimensionless.
 struct Layer {
-  std::size_t elements = 12; ///< as many as a run has
-  poroelasticity::WaterWalls walls;
-  double held_share = 0;                 ///< docs/model.md (75)
-  poroelasticity::Relaxation relaxation; ///< docs/model.md (76)
+  std::size_t elements = 12;        ///< number of elements; 12 as in a run
+  poroelasticity::WaterWalls walls; ///< conditions on the water at both walls
+  double held_share = 0; ///< share of the mean pressure that returns as load under a held
+                         ///< compression, docs/model.md (75)
+  poroelasticity::Relaxation relaxation; ///< relaxation of the solid, docs/model.md (76)
 
-  /// P at the nodes a time after a step of p_u, which is then held.
+  /// Pore pressure P at the nodes at `time` after a step of the undrained pressure p_u, which is
+  /// held from then on.
+  /// @param undrained p_u as a function of the height from 0 to 1
   std::vector<double> after_step(const std::function<double(double)>& undrained, double time) const;
-  /// The integral of values at the nodes.
+  /// Integral over the thickness of a function that is given by its values at the nodes.
   double integral(const std::vector<double>& values) const;
 };
 
-/// Least observed order between errors of layers of 6, 12 and 24 elements.
+/// Smaller observed order of convergence between the errors of layers of 6, 12 and 24 elements.
+/// @param error error of a layer of so many elements
 double order_in_elements(const std::function<double(std::size_t elements)>& error);
 
 } // namespace ionskin::verification

@@ -16,7 +16,7 @@ namespace {
 constexpr double youngs_modulus = 1.95e8; // undrained; with M = 390 MPa the drained ratio is 0.4
 constexpr double drained_ratio = 0.4;
 
-/// A strip bent by 1/m at the first instant, its terminals open.
+/// Case of a strip that is bent by 1/m at the first instant, with open terminals.
 Case bent(SideCondition sides) {
   Case input = wet_case();
   input.skin.layers[1].material.youngs_modulus = youngs_modulus;
@@ -27,14 +27,14 @@ Case bent(SideCondition sides) {
   return input;
 }
 
-/// Voltage of the case without water that moves, once the double layers have relaxed.
+/// Voltage of a case before its water moves, once the double layers have relaxed [V].
 double first_voltage(Case input, const Options& options) {
   input.water.mobility = 1e-40;
   return final_voltage(input, 1.0, options);
 }
 
-/// Pressure of a layer drained at one face, at a height from the sealed one, over the first
-/// pressure.
+/// Pressure of a layer that is drained at one face, over the first pressure, at a height from its
+/// sealed face.
 double drained_profile(double height, double consolidation) {
   constexpr double pi = std::numbers::pi;
   double sum = 0;
@@ -46,8 +46,8 @@ double drained_profile(double height, double consolidation) {
   return sum;
 }
 
-/// A pressed core whose top lets water through: double layers see the pressure one Debye length
-/// from the walls.
+/// Row on a pressed core whose top wall lets water through; the double layers see the pressure one
+/// Debye length from the walls.
 Row open_wall_row(const Options& options) {
   constexpr double consolidation = 0.2;
   Case input = bent(SideCondition::free);

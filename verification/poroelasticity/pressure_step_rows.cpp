@@ -16,9 +16,9 @@ namespace {
 
 using electrochemistry::IonSolution;
 
-/// A core of the reference, by name: charge of the top electrode after a step of 1 MPa in
-/// proportion to z/h - 1/2, shorted, by the linear Poisson-Nernst-Planck equations with sealed
-/// walls (modes through the thickness, computed apart from this program) [s], [C/m2].
+/// Reference charge of a core: charge of the shorted top electrode after a step of 1 MPa in
+/// proportion to z/h - 1/2, by the linear Poisson-Nernst-Planck equations with sealed walls (modes
+/// through the thickness, computed apart from this program) [s], [C/m2].
 struct Reference {
   std::string name;
   Case input;
@@ -61,7 +61,7 @@ double charge(const IonSolution& solution, double time) {
   return per_megapascal * charge_difference(solution, row_at(solution, time)) / electrode_area;
 }
 
-/// Voltage of the electrodes left open, a time after the step [V].
+/// Open-circuit voltage at a time after the step [V].
 double open_voltage(Case input, double time, const Options& options) {
   input.readout.circuit = "open";
   const IonSolution solution = run_model(

@@ -23,8 +23,8 @@ using poroelasticity::sealed_wall;
 using std::numbers::pi;
 using Complex = std::complex<double>;
 
-/// A function of time from its Laplace transform (Talbot's contour; Abate and Valko 2004,
-/// doi 10.1002/nme.995).
+/// Value at a time of the function with a given Laplace transform (Talbot's contour; Abate and
+/// Valko 2004, doi 10.1002/nme.995).
 double at_time(const std::function<Complex(Complex)>& transform, double time) {
   constexpr int nodes = 24;
   const double scale = 2.0 * nodes / (5 * time);
@@ -38,13 +38,13 @@ double at_time(const std::function<Complex(Complex)>& transform, double time) {
   return scale / nodes * sum;
 }
 
-/// A Maxwell solid beside a spring: half of the shear modulus goes, as fast as the water.
+/// Maxwell element beside a spring: half of the shear modulus relaxes, as fast as the water moves.
 Relaxation maxwell(RelaxingLoad load) {
   const double shear_share = load == RelaxingLoad::strain ? 1.0 / 3 : 4.0 / 3;
   return {{0.1}, {0.15}, 0.3, shear_share, 9.0, load};
 }
 
-/// Moduli of a core in the Laplace domain, over M of the first instant.
+/// Moduli of a core in the Laplace domain, over the modulus M of the first instant.
 struct Moduli {
   Moduli(const Relaxation& core, Complex s) {
     shear = core.shear;
@@ -54,11 +54,12 @@ struct Moduli {
     swelling = 1.0 + core.shear_share * (shear - core.shear);
     stored = 1.0 / core.storage + 1.0 / swelling;
   }
-  Complex shear, swelling, stored; ///< stored: water for each pressure
+  /// Moduli of shear and swelling; `stored`: stored water per pressure.
+  Complex shear, swelling, stored;
 };
 
-/// Undrained pressure of a step of the load, over that of the first instant, and the square of the
-/// wave number of the water.
+/// Undrained pressure in the Laplace domain after a step of the load, over that of the first
+/// instant, and the square of the water's wave number.
 struct Transform {
   Transform(const Relaxation& core, Complex s) {
     const Moduli now(core, s);
@@ -70,7 +71,7 @@ struct Transform {
   Complex undrained, wave;
 };
 
-/// Pressure difference of the sealed walls of a bent layer, over that of the first instant.
+/// Pressure difference between the sealed walls of a bent layer, over that of the first instant.
 double bent_difference(const Relaxation& core, double time) {
   return at_time(
       [&](Complex s) {
@@ -86,7 +87,7 @@ double bent_difference(std::size_t elements, const Relaxation& core, double time
   return pressure.back() - pressure.front();
 }
 
-/// Mean pressure of a pressed layer that is open at one face.
+/// Mean pressure of a pressed layer with one open face.
 double pressed_mean(const Relaxation& core, double time) {
   return at_time(
       [&](Complex s) {
@@ -101,7 +102,8 @@ double pressed_mean(std::size_t elements, const Relaxation& core, double time) {
   return layer.integral(layer.after_step([](double) { return 1.0; }, time));
 }
 
-/// A narrow strip of a polymer that relaxes, bent by 1/m at the first instant, terminals open.
+/// Case of a narrow strip of a relaxing polymer, bent by 1/m at the first instant, with open
+/// terminals.
 Case bent_polymer() {
   Case input = wet_case();
   Material& core = input.skin.layers[1].material;

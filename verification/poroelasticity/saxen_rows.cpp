@@ -38,7 +38,7 @@ public:
         concentration_(input.electrochemistry.resting_concentration()),
         volume_(input.water.drag_number * constants::molar_volume_of_water) {}
 
-  /// Water through the top wall per area, both walls open [m s].
+  /// Volume of water through the top wall per area, both walls open [m s].
   Complex moved(Complex s) const {
     const auto [q, r] = waves(s);
     return volume_ * amplitude(s, q) *
@@ -46,7 +46,7 @@ public:
             spread(s, q) * (moment(q) - std::tanh(q * half_) / std::tanh(r * half_) * moment(r)));
   }
 
-  /// Pressure of the top wall above the bottom one, both sealed [Pa s].
+  /// Pressure of the top wall minus that of the bottom wall, both sealed [Pa s].
   Complex pressure(Complex s) const {
     const auto [q, r] = waves(s);
     const double modulus = water_.consolidation_coefficient / water_.mobility;
@@ -59,7 +59,7 @@ private:
     return {std::sqrt(s / diffusivity_ + 1.0 / (ions_.debye_length * ions_.debye_length)),
             std::sqrt(s / water_.consolidation_coefficient)};
   }
-  /// A cosh(q h/2).
+  /// Amplitude A cosh(q h/2) of the concentration.
   Complex amplitude(Complex s, Complex q) const {
     const Complex wall = ions_.debye_length * q;
     return -0.5 * small_voltage / s * concentration_ / ions_.potential_scale /
@@ -81,7 +81,7 @@ Case between(Case input, WaterWall walls) {
   return input;
 }
 
-/// No load; the potential of the top electrode drives the current.
+/// Solves a cell without a load, in which the potential of the top electrode drives the current.
 IonSolution driven(const Case& input, const ElectrodePotentials& potentials,
                    std::vector<double> instants, const Options& options) {
   electrochemistry::IonOptions ion_options;
@@ -99,8 +99,8 @@ ElectrodePotentials step() {
   return potentials;
 }
 
-/// Ramp of the potential by `small_voltage` a second: a steady current once the double layers
-/// follow.
+/// Potentials of a ramp by `small_voltage` a second, which gives a steady current once the double
+/// layers follow.
 ElectrodePotentials ramp() {
   ElectrodePotentials potentials;
   potentials.top = [](double time) { return small_voltage * time; };
@@ -141,7 +141,7 @@ void add_settled_rows(const Case& input, const std::string& name, const Options&
       solution.water.dragged_bottom.back() / solution.water.dragged_top.back(), -1.0, 1e-9));
 }
 
-/// Adds the rows of the time while the double layers charge.
+/// Adds rows on the time in which the double layers charge.
 void add_transient_rows(const Case& input, const std::string& name, const Options& options,
                         std::vector<Row>& rows) {
   const ChargedCell cell(input);
@@ -165,7 +165,7 @@ void add_transient_rows(const Case& input, const std::string& name, const Option
   }
 }
 
-/// A steady current: volume flux over current, and the pressure that stops the water.
+/// Adds rows on a steady current: volume flux over current, and the pressure that stops the water.
 void add_steady_rows(const Options& options, std::vector<Row>& rows) {
   const Case input = proton_case();
   const auto water = poroelasticity::derive_water_properties(input);

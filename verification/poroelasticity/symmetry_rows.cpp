@@ -16,7 +16,7 @@ using electrochemistry::IonSolution;
 
 const std::vector<double> instants{0.0, 0.01, 0.1, 1.0};
 
-/// A pressure that is neither even nor odd through the thickness.
+/// Solution under a pressure that is neither even nor odd through the thickness.
 IonSolution pressed(const Case& input, double bottom, double top, const Options& options) {
   return run_model(input, pressure_step_history(bottom, top, instants), options);
 }
@@ -29,7 +29,7 @@ double largest_charge(const IonSolution& solution) {
   return largest;
 }
 
-/// A uniform shear, with a dilation that is nothing everywhere.
+/// Solution under a uniform shear, with a dilation of 0 everywhere.
 IonSolution sheared(const Options& options) {
   history::CoreHistory history = linear_step_history(0.05, 0.05, instants);
   history.add_channel(history::channel_name::dilation, "1")
@@ -38,7 +38,7 @@ IonSolution sheared(const Options& options) {
   return run_model(wet_case(), history, options);
 }
 
-/// Antisymmetry under loads that are large enough for the charge to stand far above rounding.
+/// Deviation from antisymmetry under loads that are large enough for charges far above rounding.
 double antisymmetry(const Options& options) {
   const IonSolution a = pressed(wet_case(), 1e6, 4e6, options);
   const IonSolution b = pressed(wet_case(), 4e6, 1e6, options);
@@ -51,8 +51,8 @@ double antisymmetry(const Options& options) {
   return worst / largest_charge(a);
 }
 
-/// Water that stands still, against the law `pair-generation` on the dilation with
-/// k = v L_s M_B/V_T: one equation to first order.
+/// Deviation of a case whose water does not move from the law `pair-generation` on the dilation
+/// with k = v L_s M_B/V_T, which has the same equation to first order.
 double against_pair_generation(const Options& options) {
   Case wet = wet_case();
   wet.skin.layers[1].material.poissons_ratio = 0.49;

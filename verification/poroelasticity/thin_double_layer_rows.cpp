@@ -19,7 +19,8 @@ using electrochemistry::IonSolution;
 constexpr double length = 6e-3; // [m]
 constexpr std::size_t cells_along = 48;
 
-/// A bump of pressure that presses more on one wall: it comes, moves along the skin and goes.
+/// Strain history of a bump of pressure that presses more on one wall: it comes, moves along the
+/// skin and goes.
 history::CoreHistory stroke(double duration) {
   constexpr std::size_t samples = 40;
   std::vector<double> time;
@@ -45,7 +46,8 @@ history::CoreHistory stroke(double duration) {
 
 struct Agreement {
   double charge = 0; ///< largest difference of the charge over the largest charge
-  double peak = 0;   ///< of the current between samples, thin over full
+  /// Ratio of the largest current between samples, thin layers over full equations.
+  double peak = 0;
 };
 
 Agreement agreement(Case input, double duration, const Options& options) {

@@ -22,8 +22,8 @@ using std::numbers::pi;
 
 constexpr int terms = 400;
 
-/// Water that has left a layer through one open face since one unit of pressure stands at the
-/// other, over thickness: the time lag of Daynes 1920, doi 10.1098/rspa.1920.0034.
+/// Water that has left a layer through its open face, over the thickness, since a unit of pressure
+/// stands at the other face; with the time lag of Daynes 1920, doi 10.1098/rspa.1920.0034.
 double permeated(double time) {
   double sum = time - 1.0 / 6;
   for (int n = 1; n < terms; ++n) {
@@ -32,8 +32,7 @@ double permeated(double time) {
   return sum;
 }
 
-/// Permeated amount by finite elements: what flows steadily, less what the layer has taken up on
-/// its way.
+/// Permeated amount by finite elements: the steady flow less the amount that the layer has stored.
 double permeated(std::size_t elements, double time) {
   const Layer layer{elements, {open_wall, open_wall}};
   std::vector<double> taken = layer.after_step([](double z) { return z - 1; }, time);
@@ -44,7 +43,7 @@ double permeated(std::size_t elements, double time) {
   return time - layer.integral(taken);
 }
 
-/// Root between two places of a sign change.
+/// Root of a function between two points at which its sign differs.
 template <class Function> double root(const Function& function, double from, double to) {
   std::uintmax_t steps = 200;
   const auto [low, high] = boost::math::tools::toms748_solve(
@@ -52,8 +51,8 @@ template <class Function> double root(const Function& function, double from, dou
   return 0.5 * (low + high);
 }
 
-/// Mean pressure left in a layer that is sealed at one face and lets water through the other by
-/// an exchange (Carslaw and Jaeger, Conduction of Heat in Solids, 1959, section 3.11).
+/// Mean pressure left in a layer that is sealed at one face and exchanges water at the other by a
+/// finite conductance (Carslaw and Jaeger, Conduction of Heat in Solids, 1959, section 3.11).
 double left_by_exchange(double exchange, double time) {
   double sum = 0;
   for (int n = 0; n < terms; ++n) {
@@ -70,8 +69,8 @@ double left_by_exchange(std::size_t elements, double exchange, double time) {
   return layer.integral(layer.after_step([](double) { return 1.0; }, time));
 }
 
-/// Mean pressure of a layer that is held compressed, over the pressure M d/h: sealed at one face,
-/// open at the other. Poles of docs/model.md (75) after Laplace.
+/// Mean pressure of a layer that is held compressed, sealed at one face and open at the other, over
+/// the pressure M d/h, by the poles of docs/model.md (75) after Laplace.
 /// @param stiffness M/M_B
 double left_under_compression(double stiffness, double time) {
   double sum = 0;
@@ -90,7 +89,7 @@ double left_under_compression(std::size_t elements, double stiffness, double tim
   return layer.integral(layer.after_step([&](double) { return share; }, time));
 }
 
-/// The permeation cell as a case: water under pressure below, both walls open, terminals open.
+/// Case of the permeation cell: water under pressure below, both walls open, open terminals.
 Case permeation_cell() {
   Case input = wet_case();
   input.strain.kind = StrainSourceKind::prescribed;

@@ -20,7 +20,8 @@ std::string message(const std::string& problem, const std::string& remedy) {
   return fmt::format("error: {}\n  = {}", problem, remedy);
 }
 
-/// The nearest, or the one that the word begins.
+/// Finds the choice that a word means: the choice that it begins, or else the nearest one; empty
+/// for none.
 std::string nearest_choice(const std::string& word, const std::vector<std::string>& choices) {
   const auto longer = std::ranges::find_if(
       choices, [&word](const std::string& choice) { return choice.starts_with(word); });
@@ -58,14 +59,14 @@ std::string call(const CLI::App& app, const CLI::App& verb) {
   return &app == &verb ? app.get_name() : app.get_name() + " " + verb.get_name();
 }
 
-/// "CASE.toml" of a positional, "--output DIR" of an option.
+/// Text of an option in a usage line: "CASE.toml" for a positional, "--output DIR" for an option.
 std::string written(const CLI::Option& option) {
   const std::string type = option.get_type_name(), value = type.substr(0, type.find(':'));
   return option.get_lnames().empty() ? value
                                      : fmt::format("--{} {}", option.get_lnames().front(), value);
 }
 
-/// The verb with all that it needs.
+/// Usage line of a verb with all that it requires.
 std::string usage(const CLI::App& app, const CLI::App& verb) {
   std::string text = call(app, verb);
   for (const CLI::Option* option : verb.get_options()) {
@@ -76,7 +77,8 @@ std::string usage(const CLI::App& app, const CLI::App& verb) {
   return text;
 }
 
-/// The verb that does what a word stands for in other programs; empty for any other word.
+/// Verb that does what a word means in other programs, such as "run" for "simulate"; empty for any
+/// other word.
 std::string verb_of_other_programs(const std::string& word) {
   static constexpr std::array<std::array<std::string_view, 2>, 11> known{{{"new", "init"},
                                                                           {"create", "init"},
@@ -111,7 +113,7 @@ std::string unknown_verb(const CLI::App& app, const std::string& word) {
                  fmt::format("{}verbs: {}", did_you_mean(nearest), fmt::join(names, ", ")));
 }
 
-/// The word that follows an option on the command line, where it is not an option.
+/// Word that follows an option on the command line; empty when it is an option itself.
 std::string value_after(const std::vector<std::string>& words, const std::string& option) {
   const auto place = std::ranges::find(words, option);
   if (const std::size_t equals = option.find('='); equals != std::string::npos) {

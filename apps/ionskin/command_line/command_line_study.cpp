@@ -28,7 +28,8 @@ void add_design_options(CLI::App& verb, SweepOptions& options) {
       ->capture_default_str();
 }
 
-/// Parts of a sweep for machines that share its folder; two of them go by its plan.json alone.
+/// Adds the options that divide a sweep among machines that share its folder, and returns the two
+/// that work from its plan.json only.
 std::vector<CLI::Option*> add_part_options(CLI::App& verb, SweepOptions& options) {
   CLI::Option* plan = verb.add_flag(
       "--plan", options.plan,

@@ -9,7 +9,8 @@
 namespace ionskin::apps {
 namespace {
 
-/// The words between braces that CLI11 appends to the type: "TEXT:{paper,quick}".
+/// Choices of an option: the words between braces that CLI11 appends to its type,
+/// "TEXT:{paper,quick}".
 std::vector<std::string> choices_of(const std::string& type) {
   const std::size_t open = type.find(":{");
   if (open == std::string::npos) {

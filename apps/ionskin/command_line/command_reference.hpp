@@ -6,27 +6,31 @@
 
 namespace ionskin::apps {
 
-/// One option or positional of a verb, as the parser itself knows it.
+/// Option or positional argument of a verb, as the parser describes it.
 struct OptionReference {
-  std::vector<std::string> names;   ///< "-o", "--output"; one bare word for a positional
-  std::string value;                ///< value that it takes, such as "DIR"; empty for a flag
-  std::vector<std::string> choices; ///< when it takes one of a few words
-  std::string help;
-  bool positional = false;
+  std::vector<std::string> names; ///< "-o", "--output"; one bare word for a positional
+  std::string value; ///< name of the value that the option takes, such as "DIR"; empty for a flag
+  /// Words of which the value must be one; empty where any value is allowed.
+  std::vector<std::string> choices;
+  std::string help;        ///< sentence of the help text
+  bool positional = false; ///< true for a positional argument
 };
 
+/// Verb of `ionskin` with its help sentence and its options.
 struct VerbReference {
   std::string name, help;
   std::vector<OptionReference> options;
 };
 
-/// The whole command line: what completion and the manual page are made of.
+/// Description of the whole command line, from which shell completion and the manual page are made.
 struct CommandReference {
   std::string description, exit_codes;
-  std::vector<OptionReference> options; ///< before any verb
+  /// Options of the program itself, which stand before a verb.
+  std::vector<OptionReference> options;
   std::vector<VerbReference> verbs;
 };
 
+/// Reads the description of the command line from the parser of `describe_command_line`.
 CommandReference command_reference();
 
 } // namespace ionskin::apps

@@ -16,7 +16,8 @@ std::string joined(const std::vector<std::string>& words) {
   return fmt::format("{}", fmt::join(words, " "));
 }
 
-/// Keys that `--set` and `--over` take as they stand; those with wildcards need more than a name.
+/// Names of the keys that `--set` and `--over` take as they are, without keys that hold an index or
+/// a name of the user's.
 std::string plain_keys() {
   std::vector<std::string> keys;
   for (const SchemaRow& row : schema()) {
@@ -40,7 +41,7 @@ std::string candidates(const OptionReference& option) {
   return "compopt -o filenames; COMPREPLY=($(compgen -f -- \"$word\"))";
 }
 
-/// One branch of the inner `case`: the words after an option that takes a value.
+/// Branch of the script's inner `case` for an option that takes a value: the words that may follow.
 std::string branch(const OptionReference& option) {
   return fmt::format("        {}) {}; return ;;\n", fmt::join(option.names, "|"),
                      candidates(option));

@@ -5,11 +5,13 @@
 
 namespace ionskin::apps {
 
+/// Options of `ionskin completion`.
 struct CompletionOptions {
   std::string shell; ///< "bash" or "zsh"
 };
 
-/// Prints the script that lets the shell complete verbs, options, choices, files and case keys.
+/// Runs `ionskin completion`: prints a script for the shell's completion of verbs, options,
+/// choices, files and keys of a case. Returns the exit code 0.
 int completion(const CompletionOptions& options);
 
 } // namespace ionskin::apps

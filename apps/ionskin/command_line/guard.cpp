@@ -16,7 +16,8 @@
 namespace ionskin::apps {
 namespace {
 
-/// The code tells the failure, whether the message arrives or not.
+/// Prints a message on stderr and returns the exit code, which tells the failure even where the
+/// message is lost.
 int fail(ExitCode code, const std::string& message) {
   std::fputs((base::printable(message) + "\n").c_str(), stderr);
   return static_cast<int>(code);
@@ -30,7 +31,8 @@ int fail_at_output() {
                           reason));
 }
 
-/// Flushes the output, which may still be in a buffer.
+/// Flushes the standard output and returns the exit code, that of a failed output where the output
+/// could not be written.
 int flushed(int exit_code) {
   return exit_code == 0 && (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) ? fail_at_output()
                                                                                   : exit_code;

@@ -5,10 +5,12 @@
 
 namespace ionskin::apps {
 
-/// Runs the program's body and turns every exception into a message on stderr and its exit code.
+/// Calls `body` and returns its exit code. An exception becomes a message on stderr and the exit
+/// code of its kind, see `ExitCode`.
 int guarded(const std::function<int()>& body);
 
-/// Throws UserError when the processor lacks the vector instructions this binary was compiled for.
+/// Checks that the processor has the vector instructions for which this binary was compiled. Throws
+/// UserError when it lacks some.
 void require_vector_instructions();
 
 } // namespace ionskin::apps

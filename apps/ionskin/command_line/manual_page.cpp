@@ -11,7 +11,8 @@
 namespace ionskin::apps {
 namespace {
 
-/// Text for roff: hyphens that can be copied, backslashes, and no line that starts a request.
+/// Escapes a text for roff: hyphens that can be copied, backslashes, and lines that would start a
+/// request.
 std::string escaped(const std::string& text) {
   std::string result;
   for (const char letter : text) {

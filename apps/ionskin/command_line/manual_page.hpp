@@ -3,7 +3,8 @@
 
 namespace ionskin::apps {
 
-/// Prints the manual page (roff): `ionskin man | man -l -`.
+/// Runs `ionskin man`: prints the manual page in roff, to be read by `ionskin man | man -l -`.
+/// Returns the exit code 0.
 int manual_page();
 
 } // namespace ionskin::apps

@@ -17,10 +17,11 @@
 
 namespace ionskin::apps {
 
-/// Form in which progress is shown. `automatic`: a bar on a terminal and lines elsewhere. `quiet`:
-/// nothing, and no summary of the results either.
+/// Form in which a command shows its progress on stderr. `automatic`: a bar on a terminal and lines
+/// elsewhere. `none`: no progress. `quiet`: neither progress nor a summary of the results.
 enum class LogFormat { automatic, bar, lines, json, none, quiet };
 
+/// Options of `ionskin run`.
 struct RunOptions {
   std::string case_path;
   std::string output;
@@ -29,47 +30,52 @@ struct RunOptions {
   bool overwrite = false;
   bool resume = false;
   bool no_report = false;
-  bool figures = false; ///< of the report, as files too
-  std::string only;     ///< "mechanics", "electrochemistry" or empty for both
+  bool figures = false; ///< true to write the report's figures as files, too
+  std::string only;     ///< studies to run: "mechanics", "electrochemistry" or empty for both
   LogFormat log = LogFormat::automatic;
 };
 
+/// Options of `ionskin sweep`.
 struct SweepOptions {
   std::string case_path;
   std::string output;
-  std::vector<std::string> over; ///< "KEY=first:step:last", "KEY=value,value" or "KEY=a:b"
+  /// Swept keys: "KEY=first:step:last", "KEY=value,value" or "KEY=a:b".
+  std::vector<std::string> over;
   std::vector<std::string> set_edits;
-  std::size_t samples = 0; ///< 0: a grid
+  std::size_t samples = 0; ///< number of sampled points; 0: the points of a grid
   std::string sampling = "sobol";
   std::uint64_t seed = 1;
   int threads = 0;
   bool overwrite = false;
   bool resume = false;
   bool no_report = false;
-  bool figures = false;             ///< of the report, as files too
-  std::string only;                 ///< "mechanics" or empty for both studies
-  bool explain = false;             ///< say what it costs, and stop
-  bool plan = false;                ///< write plan.json, and stop
-  std::optional<std::size_t> batch; ///< of a planned sweep, the one to do
-  bool collect = false;             ///< only write the tables of a planned sweep
-  std::string on;                   ///< file of a cluster's scheduler; empty for this machine
+  bool figures = false; ///< true to write the report's figures as files, too
+  std::string only;     ///< studies to run: "mechanics", or empty for both
+  bool explain = false; ///< true to print the cost of the sweep only
+  bool plan = false;    ///< true to write plan.json only
+  /// Number of the batch of a planned sweep to run; nullopt: the whole sweep.
+  std::optional<std::size_t> batch;
+  bool collect = false; ///< true to write the tables of a planned sweep only
+  std::string on;       ///< scheduler file of the cluster to run on; empty for this machine
   LogFormat log = LogFormat::automatic;
 };
 
+/// Options of `ionskin cluster`.
 struct ClusterOptions {
-  std::string action; ///< "start", "worker" or "stop"
-  std::string folder;
-  std::string address = "127.0.0.1";
-  bool tls = false;
-  int workers = 1, threads = 0; ///< 0 threads: all processors
-  double memory = 0;            ///< of a worker [bytes]; 0: what is free
-  double death_timeout = 60;    ///< [s]
+  std::string action;                ///< "start", "worker" or "stop"
+  std::string folder;                ///< folder of the cluster, with its scheduler.json
+  std::string address = "127.0.0.1"; ///< address at which the scheduler listens
+  bool tls = false;                  ///< true to encrypt and authenticate connections
+  int workers = 1, threads = 0; ///< workers on this machine, and threads; 0 threads: all processors
+  double memory = 0;            ///< memory of a worker [bytes]; 0: all that is free
+  double death_timeout = 60;    ///< time that a worker waits for the scheduler [s]
 };
 
+/// Options of `ionskin fit`.
 struct FitOptions {
   std::string case_path, data_path, output;
-  std::vector<std::string> free; ///< keys, each a name or several with commas
-  std::string column;            ///< of the data; empty when only one can be fitted
+  std::vector<std::string> free; ///< keys to fit, each a name or several with commas
+  std::string column;            ///< column of the data to fit; empty when only one can be fitted
   std::vector<std::string> set_edits;
   int threads = 0;
   bool overwrite = false;
@@ -77,41 +83,47 @@ struct FitOptions {
   LogFormat log = LogFormat::automatic;
 };
 
-/// Options of uncertainty, design and generate, which ionskin's Python package carries out.
+/// Options that `ionskin uncertainty`, `design` and `generate` share; ionskin's Python package
+/// carries these verbs out.
 struct TrialOptions {
   std::string case_path, output;
-  std::string on; ///< file of a cluster's scheduler; empty for this machine
+  std::string on; ///< scheduler file of the cluster to run on; empty for this machine
   std::vector<std::string> set_edits;
   int threads = 0;
   bool overwrite = false;
   bool resume = false;
-  bool quiet = false;
+  bool quiet = false; ///< true to print errors only
 };
 
+/// Options of `ionskin uncertainty`.
 struct UncertaintyOptions : TrialOptions {
   std::vector<std::string> vary; ///< "KEY=DISTRIBUTION"
   std::size_t samples = 64;
-  std::string design = "sobol";
+  std::string design = "sobol"; ///< "sobol" or "lhs" (Latin hypercube)
   std::uint64_t seed = 1;
-  std::vector<std::string> metrics; ///< empty for the usual ones
-  double least_q2 = 0.95;           ///< of a surrogate that is used
+  std::vector<std::string> metrics; ///< metrics to analyse; empty for the usual ones
+  /// Least predictive coefficient Q2 of a surrogate that is used, in (0, 1).
+  double least_q2 = 0.95;
 };
 
+/// Options of `ionskin design`.
 struct DesignOptions : TrialOptions {
   std::vector<std::string> free, subject_to; ///< "KEY=lowest:highest unit", "METRIC < value"
-  std::string maximise, minimise;            ///< a metric in one of them
-  std::size_t budget = 60;                   ///< evaluations at most
+  std::string maximise, minimise; ///< name of the metric, in one of the two; the other is empty
+  std::size_t budget = 60;        ///< largest number of evaluations
   std::uint64_t seed = 1;
 };
 
+/// Options of `ionskin generate`.
 struct GenerateOptions : TrialOptions {
-  std::vector<std::string> vary; ///< besides the finger and its motion, or in their place
-  std::size_t touches = 0;
+  /// "KEY=DISTRIBUTION", beside the random finger and its motion, or in place of them.
+  std::vector<std::string> vary;
+  std::size_t touches = 0; ///< number of touches
   std::uint64_t seed = 1;
 };
 
-/// A path of waypoints from recordings, which ionskin's Python package makes. Texts as written,
-/// empty for what the recording tells.
+/// Options of `ionskin motion`, which makes a path of waypoints from recordings; ionskin's Python
+/// package carries it out. Quantities are texts as the user wrote them; an empty text is a default.
 struct MotionOptions {
   std::vector<std::string> recordings;
   std::string output;
@@ -123,61 +135,72 @@ struct MotionOptions {
   bool quiet = false;
 };
 
+/// Options of `ionskin report`.
 struct ReportOptions {
-  std::string folder;
-  std::vector<std::string> figures; ///< only these, as files; empty for the page
-  bool files = false;               ///< every figure as a file too
-  bool claims = false;              ///< judge the paper's claims whatever the case
+  std::string folder;               ///< output folder of a run or a sweep
+  std::vector<std::string> figures; ///< names of the figures to write as files; empty for the page
+  bool files = false;               ///< true to write every figure as a file, too
+  bool claims = false;              ///< true to judge the article's claims even for another case
   LogFormat log = LogFormat::automatic;
 };
 
+/// Options of `ionskin compare`.
 struct CompareOptions {
-  std::string first, second; ///< run folders
-  double tolerance = 1e-9;   ///< relative differences up to here are not differences
+  std::string first, second; ///< output folders of the two runs
+  double tolerance = 1e-9;   ///< largest relative difference [1] that counts as equal
 };
 
+/// Options of `ionskin studio`.
 struct StudioOptions {
-  std::string folder = "."; ///< with cases and results
-  int port = 0;             ///< 0: any that is free
-  bool no_browser = false;
+  std::string folder = "."; ///< folder of cases and results to work in
+  int port = 0;             ///< TCP port of 127.0.0.1; 0: any free port
+  bool no_browser = false;  ///< true to open no browser
 };
 
+/// `ionskin doctor` has no options.
 struct DoctorOptions {};
+/// `ionskin man` has no options.
 struct ManualOptions {};
 
+/// Options of `ionskin verify`.
 struct VerifyOptions {
-  std::string part; ///< "mechanics", "electrochemistry", "poroelasticity", "chain" or empty
-  std::string csv;  ///< file for the table; empty for none
+  /// "mechanics", "electrochemistry", "poroelasticity", "chain", or empty for all.
+  std::string part;
+  std::string csv; ///< file for the table; empty for none
   int threads = 0;
 };
 
+/// Options of `ionskin impedance`.
 struct ImpedanceOptions {
   std::string case_path;
   std::string output;
   std::vector<std::string> set_edits;
-  std::string from, to; ///< frequencies with unit
-  int points = 10;      ///< per decade
+  std::string from, to; ///< lowest and highest frequency, with unit
+  int points = 10;      ///< frequencies per decade
   bool overwrite = false;
 };
 
+/// Options of `ionskin live`, which trains a reduced-order (live) skin.
 struct LiveOptions {
-  std::string case_path; ///< or that of a live skin that is there
-  std::string output;    ///< a file; empty where only an FMU is wanted
-  std::string fmu;       ///< a file; empty for none
+  std::string case_path; ///< case file; or, to export an FMU only, file of a skin that was trained
+  std::string output;    ///< file of the trained skin; empty to write an FMU only
+  std::string fmu;       ///< file of the FMU; empty for none
   std::vector<std::string> set_edits;
-  std::size_t trajectories = 12;
-  std::size_t validation = 90;
+  std::size_t trajectories = 12; ///< number of random touches to train on
+  std::size_t validation = 90;   ///< number of other random touches that measure the errors
   std::uint64_t seed = 1;
+  /// Lowest and highest coefficient of friction to train; nullopt: only the case's.
   std::optional<std::array<double, 2>> friction;
-  double tilt = 0;           ///< steepest [deg]
-  double spin = 0;           ///< fastest [deg/s]
-  std::optional<int> slider; ///< of a list, counted from 1
-  bool trains = false;       ///< true if an option is given that only a training has a use for
+  double tilt = 0;           ///< largest tilt of the slider to train [deg]
+  double spin = 0;           ///< largest rate of turn about z to train [deg/s]
+  std::optional<int> slider; ///< slider of a list [[slider]] to train, counted from 1
+  bool trains = false;       ///< true if an option is given that only training uses
   int threads = 0;
   bool overwrite = false;
   LogFormat log = LogFormat::automatic;
 };
 
+/// Options of the verb that the user gave; the type of the options says which verb it is.
 using Command =
     std::variant<InitOptions, CheckOptions, RunOptions, SweepOptions, FitOptions,
                  UncertaintyOptions, DesignOptions, GenerateOptions, MotionOptions,

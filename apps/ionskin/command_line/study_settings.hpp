@@ -8,8 +8,10 @@
 
 namespace ionskin::apps {
 
-/// Settings that a run, a sweep and a fit take from the command line alike.
-/// @param display must outlive the settings
+/// Makes the settings that a run, a sweep and a fit have in common from the options of their verb.
+/// @param options options of the verb
+/// @param command the command line, for the manifest
+/// @param display shows the progress; must outlive the settings
 template <class Settings, class Options>
 Settings study_settings(const Options& options, const std::string& command,
                         ProgressDisplay& display) {

@@ -8,7 +8,8 @@
 
 namespace ionskin::apps {
 
-/// Processors that this process may run on: batch systems and `taskset` may leave it a part.
+/// Number of processors on which this process may run, at least 1. Batch systems and `taskset` may
+/// allow fewer than the machine has.
 inline int usable_processors() {
   cpu_set_t allowed;
   if (sched_getaffinity(0, sizeof allowed, &allowed) == 0) {
@@ -17,8 +18,8 @@ inline int usable_processors() {
   return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
-/// Number of threads that a command uses.
-/// @param wanted value of --threads; 0 stands for all processors
+/// Number of threads with which a command runs.
+/// @param wanted value of --threads; 0: one thread for each usable processor
 inline int thread_count(int wanted) {
   return wanted > 0 ? wanted : usable_processors();
 }

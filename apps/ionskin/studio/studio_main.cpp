@@ -20,7 +20,8 @@
 namespace ionskin::apps {
 namespace {
 
-/// Never with the link itself: command lines are seen by every user.
+/// Opens the browser on the link file, never on the link itself, since every user can see command
+/// lines.
 void open_browser(studio::Server& server, const base::FileDescriptor& folder) {
   const char* const browser = std::getenv("BROWSER");
   const bool chosen = browser != nullptr && browser[0] == '/';
@@ -32,7 +33,7 @@ void open_browser(studio::Server& server, const base::FileDescriptor& folder) {
   }
 }
 
-/// Serves until Ctrl-C or SIGTERM. Jobs go on.
+/// Serves the workspace until Ctrl-C or SIGTERM; jobs continue. Returns the exit code.
 int serve(const StudioOptions& options) {
   sigset_t ends;
   sigemptyset(&ends);

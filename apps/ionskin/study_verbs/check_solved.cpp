@@ -21,7 +21,7 @@
 namespace ionskin::apps {
 namespace {
 
-/// Empty where the ions have a sane solution.
+/// Warning on a strain history whose net charge the ion transport cannot hold; empty for none.
 std::string warning_of_strain(const Case& input, const history::CoreHistory& history) {
   try {
     electrochemistry::check_net_charge(input, history);
@@ -32,8 +32,9 @@ std::string warning_of_strain(const Case& input, const history::CoreHistory& his
   return "";
 }
 
-/// Footprint of a slider that is not sharp, as a run finds it; empty where the coarse solution
-/// fails, which a run will tell. Throws UserError where the contact reaches the edge of the skin.
+/// Finds the footprint of a slider without sharp edges as a run does, by a coarse solution; nullopt
+/// where this fails, which a run will report. Throws UserError when the contact reaches the edge of
+/// the skin.
 std::optional<mesh::Footprint> found_footprint(const Case& input) {
   ProgressDisplay display(isatty(STDERR_FILENO) != 0 ? LogFormat::bar : LogFormat::none);
   try {

@@ -5,8 +5,10 @@
 
 namespace ionskin::apps {
 
-/// `check` where it takes the solver: of a case whose strain comes from a file, what `run` would
-/// say of it; of a round slider, whose contact a coarse solution finds. Throws UserError.
+/// Does the part of `ionskin check` that needs the solver, and prints its answer: reads the strain
+/// file of a case and checks it against the ion transport; or finds the contact area of a round
+/// slider by a coarse solution. Returns the exit code 0. Throws UserError when the case is not
+/// valid.
 int check_with_solver(const CheckOptions& options);
 
 } // namespace ionskin::apps

@@ -15,7 +15,7 @@
 namespace ionskin::apps {
 namespace {
 
-/// Number of digits at which the ends of the interval differ.
+/// Number of significant digits at which the ends of the 95 % interval differ.
 int digits(const study::FittedParameter& fitted) {
   const double width = std::abs(fitted.upper_95 - fitted.lower_95);
   const double ratio = std::abs(fitted.value) / width;

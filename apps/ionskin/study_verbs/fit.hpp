@@ -7,8 +7,8 @@
 
 namespace ionskin::apps {
 
-/// `ionskin fit`: fits keys of a case to measured data and prints the estimates.
-/// @param command the whole command line, for the manifest
+/// Runs `ionskin fit`: fits keys of a case to measured data and prints the estimates.
+/// @param command the command line, for the manifest
 /// @return exit code
 int fit(const FitOptions& options, const std::string& command);
 

@@ -7,8 +7,10 @@
 
 namespace ionskin::apps {
 
-/// Writes the small-signal spectrum of a case's cell and says where it is.
+/// Runs `ionskin impedance`: writes the small-signal impedance spectrum of the cell of a case, with
+/// its figures, and prints where it is.
 /// @param command the command line, for the manifest
+/// @return exit code
 int impedance(const ImpedanceOptions& options, const std::string& command);
 
 } // namespace ionskin::apps

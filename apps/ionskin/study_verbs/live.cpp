@@ -29,7 +29,7 @@ namespace {
 
 constexpr const char *output_option = "--output", *fmu_option = "--fmu";
 
-/// Requires, before hours of work, that a file can be written.
+/// Requires, before hours of work, that a file can be written. Throws UserError.
 void require_writable(const char* option, const std::filesystem::path& file, bool overwrite) {
   std::error_code failure;
   if (std::filesystem::is_directory(file, failure)) {
@@ -70,7 +70,8 @@ void require_outputs(const LiveOptions& options) {
   }
 }
 
-/// Says where the stated errors are larger than promised, also where the log is quiet.
+/// Prints a warning where the reported errors are larger than promised, even where the log is
+/// quiet.
 void warn_of_shortfall(const ionskin::live::SkinData& data) {
   const std::string line = ionskin::live::shortfall(data);
   if (!line.empty()) {
@@ -97,7 +98,7 @@ void write_files(const LiveOptions& options, const ionskin::live::SkinData& data
   warn_of_shortfall(data);
 }
 
-/// Makes nothing but an FMU, of a skin that is there.
+/// Writes an FMU of a skin that was trained before. Returns the exit code.
 int export_skin(const LiveOptions& options) {
   if (options.trains) {
     throw UserError(

@@ -7,8 +7,10 @@
 
 namespace ionskin::apps {
 
-/// Trains the reduced skin of a case, writes its file and says how far it is from the full model.
-/// @param command the command line, for the record
+/// Runs `ionskin live`: trains the reduced-order skin of a case, writes its file, or an FMU of it,
+/// and prints its errors against the full model.
+/// @param command the command line, which is recorded in the file
+/// @return exit code
 int live(const LiveOptions& options, const std::string& command);
 
 } // namespace ionskin::apps

@@ -27,7 +27,7 @@ int run_module(const std::string& module, const std::vector<std::string>& argume
   return code;
 }
 
-/// "0-3,7".
+/// Text of a list of numbers with ranges: "0-3,7-7".
 std::string ranges(const std::vector<std::size_t>& numbers) {
   std::string text;
   for (std::size_t i = 0; i < numbers.size();) {

@@ -27,8 +27,8 @@ study::Studies studies(const std::string& only) {
   return only == "electrochemistry" ? study::Studies::electrochemistry : study::Studies::both;
 }
 
-/// Announces gigabytes of output before they are written; those under a strain file follow from the
-/// file.
+/// Prints a note when a run will write gigabytes; not for a strain file, whose output follows from
+/// the file.
 void announce_output(const Case& input, int threads) {
   if (input.strain.kind != StrainSourceKind::file) {
     const double bytes = planning::estimate_cost(input, threads).output;
@@ -38,7 +38,8 @@ void announce_output(const Case& input, int threads) {
   }
 }
 
-/// The first few; there may be one for every instant of a long motion.
+/// Prints the first warnings of a run and the number of the rest, since a long motion may have one
+/// for every instant.
 void print_warnings(const study::RunOutcome& outcome) {
   constexpr std::size_t most = 6;
   const std::size_t shown = std::min(most, outcome.warnings.size());

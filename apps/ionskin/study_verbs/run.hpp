@@ -7,8 +7,9 @@
 
 namespace ionskin::apps {
 
-/// Runs a case and says where the results are.
+/// Runs `ionskin run`: runs a case and prints where its results are.
 /// @param command the command line, for the manifest
+/// @return exit code
 int run(const RunOptions& options, const std::string& command);
 
 } // namespace ionskin::apps

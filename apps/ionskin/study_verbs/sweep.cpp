@@ -47,7 +47,7 @@ void print_outcome(const SweepOptions& options, const study::SweepOutcome& outco
   }
 }
 
-/// Prints the batches, for those who start them.
+/// Prints the batches of a planned sweep and the commands that run them.
 void print_plan(const SweepOptions& options, const study::PlannedFolder& folder) {
   double longest = 0, largest = 0;
   for (const study::SweepBatch& batch : folder.batches) {
@@ -90,7 +90,7 @@ ExitCode exit_code(const study::SweepOutcome& outcome) {
   return outcome.failures.size() < outcome.points ? ExitCode::success : ExitCode::solver_gave_up;
 }
 
-/// True if the points are solved by this process.
+/// True if this process solves the points.
 bool here(const SweepOptions& options) {
   return !options.plan && options.on.empty();
 }
@@ -110,14 +110,15 @@ study::SweepOptions settings_of(const SweepOptions& options, const std::string& 
   return settings;
 }
 
-/// Processor time of the report of ten points, and what files of its figures add, over the
-/// processes that draw them [s].
+/// Estimated time of the report [s]: processor time of a report of ten points, and of its figures
+/// as files, divided over the processes that draw them.
 double report_seconds(const SweepOptions& options, int threads) {
   constexpr double page = 8.0, files = 9.0;
   return options.no_report ? 0.0 : (page + (options.figures ? files : 0.0)) / threads;
 }
 
-/// Plan with which the whole sweep and --plan begin; nothing where that is all.
+/// Plans a sweep and prints its cost, with --explain on stdout; nullopt after --explain, when
+/// nothing else is to do.
 std::optional<study::SweepPlan> planned(const SweepOptions& options) {
   study::SweepPlan plan = study::plan_sweep(request(options));
   if (options.explain || options.log == LogFormat::automatic) {
@@ -160,7 +161,8 @@ std::string batch_progress(LogFormat log) {
   return "";
 }
 
-/// Plans here, has the batches done there, and collects here.
+/// Runs a sweep on a cluster: this process plans it, the workers run its batches, this process
+/// collects the results. Returns the exit code.
 int sweep_on_cluster(const SweepOptions& options, const std::string& command) {
   const auto plan = planned(options);
   if (!plan) {

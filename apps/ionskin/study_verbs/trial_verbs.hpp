@@ -8,16 +8,16 @@ namespace ionskin::apps {
 // Verbs that run many trials of a case, carried out by ionskin's Python package. The exit code is
 // that of its script.
 
-/// Results of uncertain keys.
+/// Runs `ionskin uncertainty`: statistics and Sobol' indices of results under uncertain keys.
 int uncertainty(const UncertaintyOptions& options);
 
-/// Best values of free keys.
+/// Runs `ionskin design`: searches the best values of free keys under constraints.
 int design(const DesignOptions& options);
 
-/// A store of random touches.
+/// Runs `ionskin generate`: writes a file of random touches with their signals, as training data.
 int generate(const GenerateOptions& options);
 
-/// A path of waypoints from recordings of a robot.
+/// Runs `ionskin motion`: makes a path of waypoints from recordings of a robot.
 int motion(const MotionOptions& options);
 
 } // namespace ionskin::apps

@@ -40,7 +40,7 @@ void print_table(const std::vector<verification::Row>& rows) {
   }
 }
 
-/// Quantities stand in quotes: some contain commas.
+/// Writes the table as CSV; quantities are quoted, since some contain commas.
 void write_csv(const std::vector<verification::Row>& rows, const std::string& path) {
   std::ofstream file(path);
   file << "id,quantity,value,reference,tolerance,verdict\n";

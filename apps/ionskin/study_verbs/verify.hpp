@@ -5,8 +5,8 @@
 
 namespace ionskin::apps {
 
-/// Runs the verification set, prints one row for each figure and a line of totals. Exit code 0 only
-/// if all pass.
+/// Runs `ionskin verify`: compares the solvers with reference solutions, prints one row for each
+/// verified figure and a line of totals. Returns the exit code 0 only if all figures pass.
 int verify(const VerifyOptions& options);
 
 } // namespace ionskin::apps

@@ -33,7 +33,7 @@ LogFormat settled(LogFormat format) {
   return isatty(STDERR_FILENO) != 0 && !dumb ? LogFormat::bar : LogFormat::lines;
 }
 
-/// A terminal that is gone does not end the run.
+/// Writes a text to stderr; a closed terminal does not end the run.
 void put(const std::string& text) {
   std::fputs(text.c_str(), stderr);
 }

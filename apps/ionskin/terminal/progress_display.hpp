@@ -13,9 +13,10 @@
 
 namespace ionskin::apps {
 
-/// Shows progress on stderr: a bar as wide as the terminal, lines in a log, JSON lines, or nothing.
-/// It only goes forward, and goes on telling the time while the work is silent. Safe to call from
-/// several threads.
+/// Display of a command's progress on stderr, in one of the forms of `LogFormat`: a bar as wide as
+/// the terminal, lines of a log, JSON lines, or nothing. The fraction of an activity never goes
+/// back. While the work reports nothing, bar and lines still update the time. Every function may be
+/// called from several threads at once.
 class ProgressDisplay {
 public:
   explicit ProgressDisplay(LogFormat format);
@@ -23,13 +24,13 @@ public:
   ProgressDisplay(const ProgressDisplay&) = delete;
   ProgressDisplay& operator=(const ProgressDisplay&) = delete;
 
-  /// Shows how far an activity is.
-  /// @param fraction finished part of the activity in [0, 1]; less than before is taken as before,
-  /// but after 1, which begins the activity anew
+  /// Shows the progress of an activity; another name begins a new activity.
+  /// @param fraction finished part of the activity in [0, 1]. A smaller fraction than before is
+  /// ignored, except after 1, where it begins the activity anew.
   void update(std::string_view activity, double fraction);
-  /// Shows a line for readers between the others; JSON lines, and nothing, stay what they are.
+  /// Prints a message for the user on a line of its own, in the forms bar and lines only.
   void tell(const std::string& text);
-  /// Updates this display, which must outlive it.
+  /// Callback that calls `update` of this display, which must outlive the callback.
   base::ProgressCallback callback();
 
 private:
@@ -44,12 +45,15 @@ private:
   std::mutex mutex_;
   LogFormat format_;
   ProgressState state_;
-  double start_ = 0;           ///< of the activity
-  double shown_fraction_ = -1; ///< below 0 before the activity is first shown
-  double shown_at_ = 0;
-  std::size_t bar_length_ = 0; ///< of the unfinished line on the terminal; 0 when there is none
+  double start_ = 0; ///< begin of the activity, by `base::wall_time` [s]
+  /// Fraction that was last shown; below 0 before the activity is first shown.
+  double shown_fraction_ = -1;
+  double shown_at_ = 0; ///< time at which progress was last shown, by `base::wall_time` [s]
+  /// Characters of the bar's unfinished line on the terminal; 0 when there is none.
+  std::size_t bar_length_ = 0;
   std::condition_variable_any wake_;
-  std::jthread ticker_; ///< last, so that it ends before what it uses
+  std::jthread ticker_; ///< thread that updates the time; last member, so that it ends before the
+                        ///< members that it uses are destroyed
 };
 
 } // namespace ionskin::apps

@@ -17,7 +17,7 @@ constexpr std::size_t name_width = 28; // of the longest name, and a blank
 constexpr std::size_t time_width = 16; // of "59 min 59 s left"
 constexpr std::size_t least_bar = 5, longest_bar = 30;
 
-/// Percentages are rounded down: 100 % is the end.
+/// Text of a percentage, rounded down, so that 100 % appears only at the end.
 std::string percentage(double fraction) {
   return fmt::format("{:3} %", static_cast<int>(100 * fraction));
 }

@@ -6,24 +6,25 @@
 
 namespace ionskin::apps {
 
-/// Progress of an activity.
+/// Progress of one activity of a command, as a line of the display shows it.
 struct ProgressState {
-  std::string activity;
-  double fraction = 0; ///< finished, in [0, 1]
-  double elapsed = 0;  ///< [s]
+  std::string activity; ///< name of the activity
+  double fraction = 0;  ///< finished part, in [0, 1]
+  double elapsed = 0;   ///< time since the activity began [s]
 
-  bool time_left_known() const;
-  double time_left() const; ///< if it goes on as so far [s]
+  bool time_left_known() const; ///< true if more than 2 % are finished
+  double time_left() const;     ///< estimate of the remaining time at the average speed so far [s]
 };
 
-/// The state in one line that fits into `columns`: name, bar, percentage and time. Where there is
-/// no room the bar is left out first, then the time; a long name is cut.
+/// Text of a progress bar in one line of at most `columns` characters: name, bar, percentage and
+/// time. Where there is no room the bar is left out first, then the time; a long name is cut.
 std::string bar_line(const ProgressState& state, std::size_t columns);
 
-/// The same as a sentence of a log.
+/// Text of the progress as one line of a log: name, percentage, elapsed and remaining time.
 std::string log_line(const ProgressState& state);
 
-/// The same as one JSON object; `time_left_s` is null while it is not known.
+/// Progress as one line of JSON, an object with `activity`, `fraction`, `elapsed_s` and
+/// `time_left_s`; `time_left_s` is null while it is not known.
 std::string json_line(const ProgressState& state);
 
 } // namespace ionskin::apps

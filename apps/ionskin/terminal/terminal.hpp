@@ -8,25 +8,30 @@
 
 namespace ionskin::apps {
 
-/// Columns of the terminal behind a file descriptor, asked anew at every call since windows change:
-/// what the terminal says, else COLUMNS, else 80. At least 20.
+/// Width of the terminal behind a file descriptor [columns]: that which the terminal reports, else
+/// the environment's COLUMNS, else 80; at least 20. Every call asks the terminal again, since its
+/// window may change.
 std::size_t terminal_width(int descriptor);
 
-/// Text broken at blanks into lines of at most `width` columns, the second and later ones behind
-/// `indent` blanks; a longer word stands on a line of its own. Without a newline at its end.
+/// Wraps a text at blanks into lines of at most `width` columns. Lines after the first begin with
+/// `indent` blanks. A word longer than a line stands on a line of its own. The text has no newline
+/// at its end.
 std::string wrapped(std::string_view text, std::size_t width, std::size_t indent);
 
-/// A paragraph for stdout, or for another file descriptor, with a newline: wrapped on a terminal,
-/// one line in a file.
+/// Text of a paragraph with a newline at its end, for output to a file descriptor (1: stdout):
+/// wrapped to the width of a terminal, as `wrapped` does; one line where the output is not a
+/// terminal.
 std::string paragraph(std::string_view text, std::size_t indent, int descriptor = 1);
 
-/// Words as one would type them in a shell.
+/// Quotes the words of a command where a shell needs it, and joins them with blanks.
 std::string shell_text(const std::vector<std::string>& words);
 
-/// The whole command line of `ionskin`, whichever part of it this program is.
+/// Command line of this process as the user typed it, quoted for a shell, with `ionskin` as the
+/// program even where one of its parts, such as ionskin-solver, is running.
 std::string command_as_typed(int argc, char** argv);
 
-/// "12 s", "3 min 20 s", "1 h 05 min".
+/// Text of a duration [s], rounded to seconds: "12 s", "3 min 20 s"; from an hour on to minutes: "1
+/// h 05 min".
 std::string duration_text(double seconds);
 
 } // namespace ionskin::apps

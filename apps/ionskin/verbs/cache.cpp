@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view entry_suffix = ".ionskin-cache";
 
-/// The folder of the cache of older versions; empty where the environment names no place.
+/// Cache folder of older versions; nullopt where the environment names none.
 std::optional<fs::path> cache_folder() {
   constexpr std::array<std::pair<const char*, const char*>, 3> places{
       {{"IONSKIN_CACHE", ""}, {"XDG_CACHE_HOME", "ionskin"}, {"HOME", ".cache/ionskin"}}};
@@ -34,8 +34,8 @@ std::optional<fs::path> cache_folder() {
   return std::nullopt;
 }
 
-/// True if a name begins with a key and ends as that of an entry, or of one whose writer was
-/// killed; that of an entry holds nothing else.
+/// True if a file name is one that older versions gave: a key followed by the suffix of a cache
+/// entry, or by that of an entry whose writer was killed.
 bool is_own_name(const std::string& name) {
   constexpr std::size_t digits = 32;
   const bool entry = name.ends_with(entry_suffix);
@@ -44,8 +44,8 @@ bool is_own_name(const std::string& name) {
                 : name.ends_with(base::pending_suffix));
 }
 
-/// Files that older versions left: regular ones under names of their own, whatever else the user
-/// keeps there.
+/// Files that older versions left in the folder: regular files with names of theirs, whatever else
+/// the user keeps there.
 struct Left {
   std::vector<fs::path> files;
   std::uintmax_t bytes = 0;
@@ -71,8 +71,8 @@ Left left_in(const fs::path& folder) {
   return left;
 }
 
-/// Removes them, and the folder where nothing else is in it.
-/// @return what was removed
+/// Removes the files of older versions, and the folder when it is empty then.
+/// @return the removed files
 Left remove_from(const fs::path& folder) {
   Left removed;
   for (const fs::path& file : left_in(folder).files) {

@@ -5,14 +5,17 @@
 
 namespace ionskin::apps {
 
+/// Options of `ionskin cache`.
 struct CacheOptions {
-  std::string action; ///< "clear", or empty to show
+  std::string action; ///< "clear" to remove files of older versions, empty to show them
 };
 
-/// Shows what older versions kept in the home folder of this user, or removes it.
+/// Runs `ionskin cache`: shows the files that older versions of ionskin left in the home folder of
+/// this user, or removes them. Returns the exit code 0.
 int cache(const CacheOptions& options);
 
-/// One line: where older versions kept files, how many are left, and what clears them.
+/// Line of text that says how many files older versions left, in which folder, and which command
+/// removes them.
 std::string cache_summary();
 
 } // namespace ionskin::apps

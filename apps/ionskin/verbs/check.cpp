@@ -22,8 +22,8 @@ namespace ionskin::apps {
 
 namespace {
 
-/// True if the contact must be solved for before it is known to stay on the skin: the bound
-/// `mesh::largest_footprint` is that of sliders that nothing pulls.
+/// True if only a solution can tell whether the contact stays on the skin: the bound
+/// `mesh::largest_footprint` reaches the edge, or does not hold because the slider adheres.
 bool may_leave_skin(const Case& input) {
   const mesh::Footprint bound = mesh::largest_footprint(input);
   return laws::friction(input.contact.law, input.contact.friction, input.contact.parameters)

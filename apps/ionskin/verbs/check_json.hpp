@@ -8,9 +8,10 @@
 
 namespace ionskin::apps {
 
-/// Answer of `check --explain` on a valid case, for programs: every value as written, in SI units
-/// and where it stands, the explanation, and the cost of a run.
-/// @param warning a sentence or nothing
+/// JSON text that `check --json` prints for a valid case: every value as written, in SI units and
+/// with its position in the file, the explanation, and the cost of a run.
+/// @param warning lines of warnings; empty for none
+/// @param cost estimated cost of a run
 /// Throws UserError when the mesh cannot be built.
 std::string check_json(const CaseDocument& document, const std::string& warning,
                        const planning::CostEstimate& cost);

@@ -18,7 +18,8 @@ namespace fs = std::filesystem;
 
 constexpr const char* release_year = "2026";
 
-/// The case of a run's folder, or of a file; the folder of a sweep has none of its own.
+/// Reads the case of a run's folder, or a case file; nullopt for the folder of a sweep, which has
+/// no case of its own.
 std::optional<Case> case_at(const std::string& path) {
   if (path.empty()) {
     return std::nullopt;
@@ -49,8 +50,8 @@ void print_program() {
              version, release_year);
 }
 
-/// Prints the article, whose authors and title do not come with ionskin; the registry of its DOI
-/// tells them.
+/// Prints the entry of the article. Its authors and title do not come with ionskin; they are found
+/// by its DOI.
 void print_article() {
   fmt::print(
       "% The article whose case is cases/paper.toml, with the figures 1 to 16 and the claims that "

@@ -27,7 +27,7 @@ namespace fs = std::filesystem;
 
 enum class Finding { good, missing, note };
 
-/// One line per check; remembers whether anything needed is missing.
+/// Prints one line for each check, and remembers whether anything needed is missing.
 class Findings {
 public:
   void add(Finding finding, const std::string& what, const std::string& remedy = "") {
@@ -47,7 +47,7 @@ private:
   bool complete_ = true;
 };
 
-/// True when a program runs and ends with 0. Its output goes nowhere.
+/// Runs a program without output; true if it ends with exit code 0.
 bool runs(const std::vector<std::string>& words) {
   const base::FileDescriptor nowhere(::open("/dev/null", O_WRONLY | O_CLOEXEC));
   const pid_t child = base::start_program(words, {nowhere, nowhere});
@@ -100,7 +100,7 @@ void check_python(Findings& findings) {
   }
 }
 
-/// Checks the modules that some commands need; the rest works without.
+/// Checks the Python modules that only some commands need.
 void check_optional_modules(Findings& findings) {
   const std::string python = base::python_interpreter();
   constexpr std::array modules{

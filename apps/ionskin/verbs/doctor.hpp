@@ -3,8 +3,9 @@
 
 namespace ionskin::apps {
 
-/// Checks what ionskin needs of this machine, one line each, with the remedy for what is missing.
-/// @return exit code 0 when everything needed is there, 2 otherwise
+/// Runs `ionskin doctor`: checks what ionskin needs of this machine and prints one line for each
+/// item, with the remedy where it is missing.
+/// @return exit code: 0 when everything needed is there, 2 otherwise
 int doctor();
 
 } // namespace ionskin::apps

@@ -108,7 +108,8 @@ std::string scales_of_water(const Case& input) {
   return text;
 }
 
-/// Time constants of the first taxel, or line of a crossbar, with each circuit that passes charge.
+/// Lines on the time constants of the first taxel, or line of a crossbar, with each circuit that
+/// passes charge.
 std::string time_constants_of_taxels(const Readout& readout, double capacitance_per_area) {
   std::string text, last;
   const std::vector<Taxel> lines = readout.lines();
@@ -133,7 +134,7 @@ std::string time_constants_of_taxels(const Readout& readout, double capacitance_
   return text;
 }
 
-/// The longest time for which something presses without a break [s].
+/// Longest time for which the slider presses without a break [s].
 double time_of_touch(const Case& input) {
   if (input.strain.kind == StrainSourceKind::prescribed)
     return input.strain.duration;
@@ -146,7 +147,8 @@ double time_of_touch(const Case& input) {
   return longest;
 }
 
-/// Effect that metal of a usual sheet resistance would have where none is given.
+/// Line on the effect that electrodes of a usual sheet resistance would have, where the case gives
+/// none.
 std::string metal(const Case& input, const electrochemistry::CellCircuit& cell) {
   constexpr double usual = 1.0;       // of either metal [ohm]
   constexpr double comparable = 0.05; // of a touch
@@ -176,8 +178,8 @@ std::string metal(const Case& input, const electrochemistry::CellCircuit& cell) 
   return text;
 }
 
-/// Scales of what charges and discharges, and through what; the circuit decides which of it is
-/// read.
+/// Lines on the scales of charging and discharging in the cell; the circuit decides which of them
+/// is read.
 std::string scales_of_readout(const Case& input) {
   const electrochemistry::CellCircuit cell = electrochemistry::cell_circuit(input);
   const double face = input.skin.length * input.skin.width, per_area = cell.layers / face;
@@ -222,7 +224,7 @@ std::string scales_of_readout(const Case& input) {
   return text;
 }
 
-/// The contact of a round slider is not known before it is solved.
+/// Lines on the contact of a round slider, whose area is not known before it is solved.
 std::string scales_of_round_contact(const Case& input) {
   const mesh::Footprint largest = mesh::largest_footprint(input);
   std::string text = "\nContact\n";
@@ -271,7 +273,7 @@ std::vector<std::pair<std::string, double>> instants(const std::vector<MotionLeg
   return result;
 }
 
-/// "480 x slide begins, 3 x contact" of the instants [begin, end).
+/// Text on the events from `begin` to before `end`: "480 x slide begins, 3 x contact".
 std::string kinds(const std::vector<std::pair<std::string, double>>& all, std::size_t begin,
                   std::size_t end) {
   std::map<std::string, std::size_t> counts;

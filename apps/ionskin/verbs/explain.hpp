@@ -8,12 +8,13 @@
 
 namespace ionskin::apps {
 
-/// Meaning of a case before it runs: its values in SI units and where they come from, the scales
-/// that follow, the instants of contact, and the size and cost of both studies. Throws UserError
-/// when the mesh cannot be built.
+/// Text that explains a case before it runs, for `check --explain`: its values in SI units and
+/// where they come from, the derived scales, the instants of contact, and the size and cost of both
+/// studies. Throws UserError when the mesh cannot be built.
 std::string explain(const CaseDocument& document, const planning::CostEstimate& cost);
 
-/// Warnings where a case leaves what the law of the water holds for; else empty.
+/// Lines of warnings where a case is outside the assumptions of the poroelastic coupling law; empty
+/// for none.
 std::string warnings_of_water(const Case& input);
 
 } // namespace ionskin::apps

@@ -5,16 +5,19 @@
 
 namespace ionskin::apps {
 
+/// Options of `ionskin keys`.
 struct KeysOptions {
-  bool json = false;
-  std::string word; ///< only keys that contain it; empty for all
+  bool json = false; ///< true to print JSON instead of text
+  std::string word;  ///< only keys that contain it; empty for all
 };
 
-/// Every key of a case as a JSON array: type, unit, range, default, choices, help and source.
+/// JSON array of all keys that a case may have, each with type, unit, range, default, choices, help
+/// and source.
 std::string keys_json();
 
-/// Prints every key of a case: what it is, its choices and default; as JSON also unit, range and
-/// source. Throws UserError when no key contains the word.
+/// Runs `ionskin keys`: prints the keys that a case may have with their meaning, choices and
+/// defaults; as JSON also with unit, range and source. Returns the exit code 0. Throws UserError
+/// when no key contains the word.
 int keys(const KeysOptions& options);
 
 } // namespace ionskin::apps

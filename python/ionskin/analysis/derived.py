@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Series derived from the signals of one run: rates per sample, correlations, the factor between shear and charge."""
+"""Quantities derived from the signals of one run: rates over readout intervals,
+correlations, the factor between shear and charge."""
 
 import numpy
 
@@ -22,7 +23,7 @@ def sampled_moment_rate(results):
 
 
 def correlation(first, second, weights=None):
-    """Pearson's coefficient, weighted; NaN where a series is constant or has no numbers."""
+    """Pearson's correlation coefficient of two arrays, weighted; NaN when one is constant or has no numbers."""
     first, second = numpy.asarray(first), numpy.asarray(second)
     good = numpy.isfinite(first) & numpy.isfinite(second)
     first, second = first[good], second[good]
@@ -36,7 +37,7 @@ def correlation(first, second, weights=None):
 
 
 def rate_correlations(results):
-    """Correlation with the rate of the mean shear: {(current, "resolved" or "sampled"): r}."""
+    """Correlations of the currents with the rate of the mean shear, as a dict {(current, "resolved" or "sampled"): r}."""
     signals, sampled = results.signals, results.sampled
     steps = numpy.diff(signals["time"])
     rate = sampled_rate(results)
@@ -54,7 +55,7 @@ SOUND_AUDIT = 1e-6  # charge identity error up to which a common charge of a neu
 
 
 def sampled_rms(results, name):
-    """Rms of a sampled current over the run [A]."""
+    """Root mean square of a sampled current over the run [A]."""
     sampled = results.sampled
     steps = numpy.diff(numpy.concatenate([[results.signals["time"][0]], sampled["time"]]))
     values = sampled[f"current_{name}"]
@@ -87,7 +88,7 @@ def common_is_noise(results):
 
 
 def charge_per_shear(results):
-    """K = F c0 k V in coulomb: the common charge of both electrodes per mean shear, or None when unknown."""
+    """Factor K = F c0 k V [C], the common charge of both electrodes per mean shear; None when the run does not have it."""
     case = results.case
     try:
         skin, ions, coupling = case["skin"], case["electrochemistry"], case["coupling"]

@@ -10,7 +10,7 @@ DEGREE = 2
 
 
 def ranks(values):
-    """Places in ascending order from 0; equal values share their mean place."""
+    """Ranks of values in ascending order, from 0; equal values share their mean rank."""
     values = numpy.asarray(values, float)
     _, place, counts = numpy.unique(values, return_inverse=True, return_counts=True)
     ends = numpy.cumsum(counts)
@@ -18,7 +18,7 @@ def ranks(values):
 
 
 def rank_correlation(values, data):
-    """Spearman's coefficient (1904, doi 10.2307/1412159); NaN where one of the two is constant."""
+    """Spearman's rank correlation coefficient (1904, doi 10.2307/1412159); NaN when one array is constant."""
     first, second = ranks(values), ranks(data)
     first, second = first - first.mean(), second - second.mean()
     scale = numpy.sqrt((first**2).sum() * (second**2).sum())
@@ -26,7 +26,7 @@ def rank_correlation(values, data):
 
 
 def first_order(values, data):
-    """Share of the variance of the data that a parabola in this one value explains, adjusted for its freedom; in [0, 1].
+    """Share of the variance of the data that a parabola in one key's values explains (adjusted R2), in [0, 1].
 
     An estimate of the first-order index of Sobol (2001, doi 10.1016/S0378-4754(00)00270-6); NaN for constant data.
     """
@@ -42,7 +42,8 @@ def first_order(values, data):
 
 
 class Sensitivity(NamedTuple):
-    """Sensitivities of metrics to swept keys, as arrays [metric, key]."""
+    """Sensitivities of metrics to swept keys, as arrays [metric, key]: `rank` holds rank
+    correlations, `share` first-order shares."""
 
     metrics: list
     keys: list
@@ -51,8 +52,8 @@ class Sensitivity(NamedTuple):
 
 
 def of_study(study, metrics):
-    """Sensitivities of the metrics that every member has, to every swept key that is a number; None for too few
-    points."""
+    """Sensitivity of a Study: of those `metrics` that every member has, to every swept key that is a number; None for
+    too few points."""
     keys = study.numeric_keys
     present = [name for name in metrics if numpy.isfinite(study.metric(name)).all()]
     if not keys or not present or len(study.members) < FEWEST:

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Onset of a slide: where and when each place under the slider slips, and whether the currents tell before all
-slips."""
+"""Onset of a slide: where and when the skin under the slider begins to slip, and
+whether the currents show it before full slip."""
 
 from typing import NamedTuple
 
@@ -12,7 +12,8 @@ SEEN = 3  # times the noise floor
 
 
 class Onset(NamedTuple):
-    """Instants of the run [s]; full is None where the slide ends before full slip."""
+    """Instants of the first slide of a run [s]: its begin, the first micro-slip, and
+    full slip, None where it is not reached."""
 
     begin: float
     micro: float
@@ -20,7 +21,7 @@ class Onset(NamedTuple):
 
 
 def value(results, name):
-    """A metric, or None."""
+    """Value of a metric of Results in its SI unit; None where the run has no such metric."""
     found = results.metrics.get(name)
     return None if found is None else found.value
 
@@ -35,16 +36,19 @@ def onset(results):
 
 
 def onset_states(file):
-    """Contact states of the onset of the first slide in results.h5, in the order of time."""
+    """HDF5 groups of the contact states at the onset of the first slide in results.h5, in the order of time."""
     states = [group for name, group in file["contact"].items() if name.startswith("onset_") and "slip_state" in group]
     return sorted(states, key=lambda group: float(group.attrs["parameter"]))
 
 
 def release_times(file, begin):
-    """Instants [y][x] at which each cell slips for good, since the slide began [s]: 0 where it never stuck, NaN without
-    contact.
+    """Time [y][x] from the begin of the slide until each contact cell slips for good [s]; 0 where it never stuck, NaN
+    without contact.
 
-    Raises ValueError where the file holds no state of an onset.
+    file   results.h5, open
+    begin  begin of the slide [s]
+
+    Raises ValueError when the file holds no state of an onset.
     """
     states = onset_states(file)
     if not states:
@@ -56,22 +60,30 @@ def release_times(file, begin):
 
 
 def slip_at(file, instant):
-    """The way that the slider slipped over each cell since it touches [m], of the state of the onset nearest an instant."""
+    """Slip [y][x] of the slider over each contact cell since the cell touches [m], in the onset state nearest to an
+    instant [s].
+
+    NaN without contact.
+    """
     group = min(onset_states(file), key=lambda each: abs(float(each.attrs["parameter"]) - instant))
     return numpy.where(group["slip_state"][...] > 0, group["slip_since_landing"][...], numpy.nan)
 
 
 def error(results, name):
-    """The stated error of a metric in its unit, whether it is marked as not converging or not; 0 where none is stated."""
+    """Reported error estimate of a metric in its SI unit, also where the metric does not converge; 0 without an estimate."""
     return sum(results.summary.get("error_parts", {}).get(name, {}).values())
 
 
 class Precursor(NamedTuple):
-    """A current's answer to whether it shows a slip before the slip happens.
+    """Data that decide whether a current shows the onset of slip before full slip.
 
-    departure, error, noise  of a reading, its stated error, and the noise floor [A]; NaN where there are none
-    lead, lead_error         from where it is seen to full slip [s]; NaN where it is not
-    interval                 between two readings [s]
+    departure         change of a reading by the onset [A]
+    error             reported error estimate of the change [A]
+    noise             noise floor of a reading [A]
+    lead, lead_error  time from when the change is seen to full slip, and its error estimate [s]
+    interval          time between two readings [s]
+
+    NaN stands for values that the run does not have.
     """
 
     departure: float
@@ -83,12 +95,13 @@ class Precursor(NamedTuple):
 
     @property
     def certain(self):
-        """A reading falls for certain between where the current is seen and full slip, and stands above noise and error."""
+        """True if at least one reading falls between the visible change and full slip,
+        and the change exceeds noise and error."""
         return bool(self.lead - self.lead_error >= self.interval and self.departure - self.error > SEEN * self.noise)
 
 
 def precursor(results, current):
-    """Answer of a current, "difference" or "common", to whether it shows the onset of slip of a run beforehand."""
+    """Precursor of a run (Results) for a current, "difference" or "common"."""
     def number(name):
         found = value(results, name)
         return numpy.nan if found is None else found

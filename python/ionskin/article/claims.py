@@ -17,7 +17,7 @@ OPPOSITE = 0.1  # part of the common current in both that still counts as equal 
 
 
 class Verdict(NamedTuple):
-    """One claim: what it says, how it fares, and by which number."""
+    """Verdict on one claim of the article: the claim, the verdict, and the number on which it rests, as texts."""
 
     claim: str
     verdict: str
@@ -25,7 +25,7 @@ class Verdict(NamedTuple):
 
 
 def detached(study):
-    """γ is near 0 while the slider is detached."""
+    """Verdict on the claim that the shear γ is near 0 while the slider is detached."""
     claim = "γ is near 0 while the slider is detached"
     worst = 0.0
     for member in study.members:
@@ -40,7 +40,7 @@ def detached(study):
 
 
 def monotone(study, metric, words):
-    """A metric rises with the swept key."""
+    """Verdict on the claim that a metric, called `words`, rises with the swept key."""
     claim = f"{words} rises with {study.name}"
     values = numpy.array(study.metric(metric))
     if study.single:
@@ -69,7 +69,7 @@ def rising_rank(study, claim, values):
 
 
 def two_regimes(study, metric, words):
-    """A metric has a weak and a strong regime."""
+    """Verdict on the claim that a metric has a weak and a strong regime along the swept key."""
     claim = f"two regimes: {words} rises faster at high {study.name}"
     if study.scattered:
         return Verdict(claim, OPEN, "several keys vary at once: a sweep along one key would decide it")
@@ -90,7 +90,7 @@ def two_regimes(study, metric, words):
 
 
 def fit_error(study, metric, fit):
-    """Root mean square of the relative residuals of a fit."""
+    """Root mean square of the relative residuals of a fit of a metric over the members of a study."""
     values = numpy.array([member.value for member in study.members])
     data = numpy.array(study.metric(metric))
     kept = (values > 0) & (data > 0)
@@ -113,7 +113,7 @@ def smooth_law(study, metric):
 
 
 def follows_rate(study, part, words):
-    """A part of the current follows the rate of the mean shear."""
+    """Verdict on the claim that a part of the current follows the rate of the mean shear."""
     claim = f"the {words} follows dγ/dt"
     if not study.typical.results.sampled.has("current_top"):
         return Verdict(claim, OPEN, "the runs have no currents")
@@ -128,13 +128,13 @@ def follows_rate(study, part, words):
 
 
 def span_of(values):
-    """A range of numbers in words."""
+    """Text of the range of some numbers."""
     low, high = min(values), max(values)
     return f"{low:.3f}" if high - low < 5e-4 else f"{low:.3f} to {high:.3f}"
 
 
 def opposite(study):
-    """The currents of the electrodes are equal and opposite."""
+    """Verdict on the claim that the currents of the electrodes are equal and opposite."""
     claim = "the electrodes' currents are equal and opposite"
     if not study.typical.results.sampled.has("current_common", "current_difference"):
         return Verdict(claim, OPEN, "the runs have no currents")
@@ -155,7 +155,7 @@ def opposite(study):
 
 
 def transient(study):
-    """The current is concentrated at the contact events."""
+    """Verdict on the claim that the current is concentrated at the contact events."""
     claim = "the current is transient: it is concentrated at contact, onset and separation"
     results = study.typical.results
     if not results.sampled.has("current_top"):
@@ -194,7 +194,7 @@ def more(study, count):
 
 
 def judge(study):
-    """All claims in the order of the article."""
+    """Judges all claims of the article on a study, as a list of Verdict in the order of the article."""
     return [
         detached(study),
         monotone(study, "peak_mean_shear", "the peak of the mean shear"),

@@ -14,7 +14,7 @@ LAWS = {("slider", "shape"): "flat", ("motion", "kind"): "touch-slide-lift", ("c
 
 
 def is_own_case(case):
-    """True for a case that agrees with all that the article states."""
+    """True if a case agrees with all values that the article states."""
     def value(place, default=None):
         return case.get(place[0], {}).get(place[1], default)
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Are there two regimes? One power law against two that meet, judged on the data alone."""
+"""Test for two regimes: fits one power law and two that meet, and chooses by an information criterion."""
 
 from typing import NamedTuple
 
@@ -9,11 +9,13 @@ FEWEST = 5  # points that two slopes and a break can be found from
 
 
 class Fit(NamedTuple):
-    """A power law, or two that meet at a break.
+    """Fit of one power law, or of two power laws that meet at a break. Calling it with values x gives fitted values.
 
-    two        whether two describe the data better than one (Bayesian information criterion, by more than 6)
-    low, high  exponents with standard errors; equal for one law
-    gain       by how much the criterion of one law exceeds that of two
+    two        True if two laws describe the data better than one (Bayesian information criterion, by more than 6)
+    break_at   value at which the two laws meet; NaN for one law
+    low, high  exponents below and above the break; equal for one law
+    low_error, high_error  standard errors of the exponents
+    gain       criterion of one law minus that of two
     """
 
     two: bool
@@ -31,7 +33,7 @@ class Fit(NamedTuple):
 
 
 def design(x, kink):
-    """Columns of a line, or of two lines that meet at the kink."""
+    """Design matrix of a line, or of two lines that meet at the kink; None for one line."""
     columns = [numpy.ones_like(x), x]
     if kink is not None:
         columns.append(numpy.maximum(0.0, x - kink))
@@ -39,7 +41,7 @@ def design(x, kink):
 
 
 def least_squares(x, y, kink):
-    """Coefficients, their covariance and the sum of squares."""
+    """Least-squares fit of one or two lines: coefficients, their covariance, and the sum of squared residuals."""
     matrix = design(x, kink)
     coefficients, *_ = numpy.linalg.lstsq(matrix, y, rcond=None)
     squares = float(((y - matrix @ coefficients) ** 2).sum())
@@ -53,7 +55,7 @@ def criterion(squares, count, parameters):
 
 
 def fit(values, data):
-    """The better of one and two power laws, or None for too few positive points.
+    """Fits one and two power laws and returns the better Fit; None for too few positive points.
 
     values, data  sequences of equal length; entries that are not positive are left out
     The break is searched between the second and the last but one value.

@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Contents of one figure of a run, as plain data in SI units: the page draws it by its script, files by
-draw_chart.py."""
+"""Charts: contents of figures as plain data in SI units, which the script of a page or `drawing.draw_chart` draws."""
 
 from typing import NamedTuple
 
@@ -13,14 +12,14 @@ WHOLE = 2.3  # width of the whole run over that of a window
 
 
 class Axis(NamedTuple):
-    """An axis of a cell.
+    """Axis of a cell.
 
-    name       in words; "" where the cell below or to the left has it too
-    unit       SI, "1" for pure numbers
-    low, high  ends; None for those of the data
-    origin     what is shown as 0
-    signed     largest magnitude of a symmetric logarithmic axis; 0 for a linear one
-    log        logarithmic, for positive values
+    name       name of the quantity in words; "" where the cell below or to the left shows it
+    unit       SI unit; "1" for pure numbers
+    low, high  ends of the axis, in the unit; None for the ends of the data
+    origin     value that is shown as 0
+    signed     largest magnitude of a symmetric logarithmic axis; 0 for any other axis
+    log        True for a logarithmic axis of positive values
     """
 
     name: str = ""
@@ -33,12 +32,15 @@ class Axis(NamedTuple):
 
 
 class Curve(NamedTuple):
-    """y over x.
+    """Curve of y over x, arrays of one length in the units of the cell's axes.
 
-    step   "over": y is the mean over the step that ends at its x; "held": y is read at its x, and shown until the next
-    look   "", "dashed", "dotted", or "none" for marks alone
-    marks  one per value; where they would touch, the page leaves them out
-    band   lower and upper end of y within its stated error, or None
+    label   name in the legend; "" for none
+    step    "": straight lines between values; "over": y is the mean over the step that ends at its x; "held": y is read at
+            its x, and shown until the next value
+    width   width of the line [pt]
+    look    "": solid; "dashed", "dotted"; "none": marks only
+    marks   True to mark each value; a page leaves out marks that would touch
+    band    arrays of the lower and upper end of y's error band; None without one
     """
 
     x: numpy.ndarray
@@ -53,7 +55,8 @@ class Curve(NamedTuple):
 
 
 class Span(NamedTuple):
-    """A band behind the curves between two places of "x" or "y". label: of the legend."""
+    """Coloured band behind the curves of a cell, between two values on the axis `along`, "x"
+    or "y"; `label` is its name in the legend."""
 
     low: float
     high: float
@@ -63,7 +66,12 @@ class Span(NamedTuple):
 
 
 class Mark(NamedTuple):
-    """A line across a cell at a place of "x" or "y"; look as of a Curve. label: of the legend. words: beside it."""
+    """Line across a cell at a value on the axis `along`, "x" or "y".
+
+    look   as for a Curve
+    label  name in the legend; "" for none
+    words  text beside the line
+    """
 
     at: float
     look: str = "dashed"
@@ -73,14 +81,15 @@ class Mark(NamedTuple):
 
 
 class Map(NamedTuple):
-    """values [y][x] in colours of a palette from low to high, between edges x and y; NaN where there is nothing.
+    """Colour map of values [y][x] in the cells between the edges x and y; NaN for cells without a value.
 
-    name, unit  of the values, for the bar of colours
-    beyond      values above high exist
-    smooth      values at nodes, and what lies between is interpolated
-    classes     names by colour: the values are places in it, and a legend stands for the bar
-    lines       arrays [point, (x, y)] in white
-    ticks       pairs of value and words beside the bar of colours, where they are not its own
+    low, high   values of the first and the last colour of the palette
+    name, unit  name and SI unit of the values, for the colour bar
+    beyond      True if values above `high` exist
+    smooth      True if x and y are nodes, not edges, and values between them are interpolated
+    classes     dict of colour to name, for values that are indices into it; a legend replaces the colour bar then
+    lines       arrays [point, (x, y)] of white lines over the map
+    ticks       pairs of value and words, in place of the usual ticks of the colour bar
     """
 
     x: numpy.ndarray
@@ -99,7 +108,8 @@ class Map(NamedTuple):
 
 
 class Shape(NamedTuple):
-    """A drawing's part: outlines, arrays [point, (x, y)], filled in a colour, or a line where it has none. edge: its colour."""
+    """Part of a drawing: outlines, a list of arrays [point, (x, y)], with the colours of
+    filling and edge; None for no filling or edge."""
 
     outlines: list
     fill: str | None = None
@@ -110,8 +120,14 @@ class Shape(NamedTuple):
 
 
 class Note(NamedTuple):
-    """Words at a place. anchor: "start", "middle" or "end" of the text lies there; lines are centred about it. room: width and height,
-    as on the axes, that a page keeps the words within: of lines that do not fit the first ones go; (0, 0) for any."""
+    """Text at a point (x, y) of a cell.
+
+    anchor  part of the text that lies at x: "start", "middle" or "end"; lines of the text are centred about y
+    size    size of the letters [pt]
+    boxed   True for a box about the text
+    room    width and height, in the units of the axes, within which a page keeps the text by leaving out its first lines;
+            (0, 0) for no bound
+    """
 
     x: float
     y: float
@@ -124,8 +140,14 @@ class Note(NamedTuple):
 
 
 class Cell(NamedTuple):
-    """One pair of axes. phases: notes along the upper edge, of which x alone counts. height: 1 is the usual one. legend:
-    names of curves stand above. equal: x and y have one scale. bare: neither axes nor grid."""
+    """Cell of a chart: one pair of axes with its curves, bands, lines, map, shapes and notes.
+
+    phases  notes along the upper edge; only their x is used
+    height  height relative to the usual one
+    legend  True to name the curves above the cell
+    equal   True for one scale of x and y
+    bare    True for neither axes nor grid
+    """
 
     title: str
     x: Axis
@@ -144,7 +166,13 @@ class Cell(NamedTuple):
 
 
 class Chart(NamedTuple):
-    """Rows of cells. widths: of the columns, in proportion. narrow: columns on a narrow screen. note: a sentence below."""
+    """Chart: the cells of one figure, in rows.
+
+    rows    list of rows, each a list of Cell
+    widths  relative widths of the columns
+    narrow  number of columns on a narrow screen
+    note    sentence below the figure; "" for none
+    """
 
     rows: list
     widths: tuple = (1.0,)
@@ -153,14 +181,20 @@ class Chart(NamedTuple):
 
 
 def phase_spans(results, offset=0.0, cycle=None, named=False):
-    """Bands behind the contact, darker while it slides; `named` says in the legend what they mean."""
+    """Bands that mark the phases of contact, darker while the slider slides, as a tuple of Span.
+
+    offset  time that is subtracted from the instants [s]
+    cycle   number of the cycle; None for all
+    named   True to explain the bands in the legend
+    """
     names = {"touchdown": "touching", "slide": "sliding"} if named else {}
     return tuple(Span(span.start - offset, span.end - offset, CONTACT_PHASES[span.phase], "x", names.pop(span.phase, ""))
                  for span in contact_spans(results) if span.phase in CONTACT_PHASES and (cycle is None or span.cycle == cycle))
 
 
 def limits(curves, signed=0.0):
-    """Ends of an axis that several cells share."""
+    """Lower and upper end of an axis that several cells share, with room about the curves;
+    (None, None) for a symmetric logarithmic axis."""
     values = [part for curve in curves for part in (curve.y, *(curve.band or ()))]
     if signed or not values:
         return None, None
@@ -172,16 +206,18 @@ def limits(curves, signed=0.0):
 
 
 def over_time(results, panels):
-    """A chart over the whole run. panels: (title, y, curves, height) each, top first."""
+    """Chart of signals over the whole run, with one row for each panel (title, y axis, curves, height), from the top."""
     time, spans = results.signals["time"], phase_spans(results)
     return Chart([[Cell(title, Axis("time" if place == len(panels) - 1 else "", "s", time[0], time[-1]), y, tuple(curves), spans,
                         height=height)] for place, (title, y, curves, height) in enumerate(panels)])
 
 
 def with_events(results, panels, span=None):
-    """A chart over the whole run, with the begin and the end of the first contact enlarged beside it: events of milliseconds.
+    """Chart of signals over the whole run, with the milliseconds about begin and end of the first contact enlarged
+    beside it.
 
-    span  of the first column [s]; None for the whole run
+    panels  list of (title, y axis, curves, height), from the top
+    span    begin and end of the first column [s]; None for the whole run
     """
     time, spans, found = span or results.signals["time"], phase_spans(results), windows(results)
     rows = []
@@ -197,7 +233,7 @@ def with_events(results, panels, span=None):
 
 
 def current_axis(*columns):
-    """A symmetric logarithmic axis of currents."""
+    """Symmetric logarithmic axis for the given columns of currents [A]."""
     return Axis("current", "A", signed=peak_of(*columns) or 1.0)
 
 
@@ -205,7 +241,7 @@ COINCIDE = 0.006  # of the height of a cell: about the width of a line
 
 
 def heights(axis, values):
-    """Values as an axis places them, between any two numbers."""
+    """Heights, on a linear scale of any unit, at which an axis shows values."""
     with numpy.errstate(divide="ignore", invalid="ignore"):
         if axis.log:
             return numpy.log10(values)
@@ -215,7 +251,7 @@ def heights(axis, values):
 
 
 def coinciding(cell):
-    """Groups of labels of curves of a cell that lie over one another."""
+    """Groups of curves of a cell that coincide within the width of a line, as lists of their labels."""
     named = [curve for curve in cell.curves if curve.label]
     places = [heights(cell.y, curve.y) for curve in named]
     finite = [part[numpy.isfinite(part)] for part in places]
@@ -238,16 +274,16 @@ def coinciding(cell):
 
 
 def joined(words):
-    """"a, b and c"."""
+    """Joins at least two words: "a, b and c"."""
     return f"{', '.join(words[:-1])} and {words[-1]}"
 
 
 def with_coincidence_noted(chart):
-    """The chart with a note on curves that coincide in it."""
+    """Adds a note on curves that coincide to a chart."""
     groups = dict.fromkeys(f"{joined(group)}" for row in chart.rows for cell in row for group in coinciding(cell))
     return chart._replace(note=" ".join([chart.note, f"These curves coincide: {'; '.join(groups)}."]).strip()) if groups else chart
 
 
 def quiet_note(words):
-    """Words in the middle of a cell that has nothing to show."""
+    """Note in the middle of a cell that has nothing else to show."""
     return Note(0.5, 0.5, words, "middle", QUIET)

@@ -15,21 +15,21 @@ AT_LIMIT = 1e-3  # of the friction limit below which a cell sticks
 
 
 def capped(values, areas, share):
-    """Upper end of a colour scale: the value below which `share` of the area lies, or 1 for maps of zeros."""
+    """Upper end of a colour scale: value below which a share of the area lies; 1 for a map of zeros."""
     order = numpy.argsort(values, axis=None)
     below = numpy.cumsum(numpy.broadcast_to(areas, values.shape).ravel()[order])
     return float(values.ravel()[order][numpy.searchsorted(below, min(share, 1 - 1e-12) * below[-1])]) or 1.0
 
 
 def within(touching):
-    """Touching cells whose neighbours touch too. Pressure at the rim of a contact is known to one cell only."""
+    """True [y][x] in touching cells whose neighbours touch, too; pressure at the rim of a contact is known only to one cell."""
     inner = numpy.pad(touching, 1)
     return touching & inner[:-2, 1:-1] & inner[2:, 1:-1] & inner[1:-1, :-2] & inner[1:-1, 2:]
 
 
 def top_of_scale(values, touching, areas, share):
-    """Upper end of the colours of a map: the value below which `share` of the touched area lies under a sharp slider, else the
-    largest away from the rim."""
+    """Upper end of the colour scale of a contact map: under a sharp slider the value below which `share` of the touched
+    area lies, else the largest value away from the rim."""
     if not touching.any():
         return 1.0
     inner = within(touching)
@@ -39,12 +39,12 @@ def top_of_scale(values, touching, areas, share):
 
 
 def touchdown_state(file):
-    """Name of the state at the end of the first touchdown, which takes one step or several; None without any."""
+    """Name in results.h5 of the contact state at the end of the first touchdown; None without any."""
     return max((name for name in file["contact"] if name.startswith("touchdown")), default=None)
 
 
 def middle_state(file):
-    """Name of the state of steady sliding nearest the middle of the slide, or of touchdown."""
+    """Name in results.h5 of the state of steady sliding nearest to the middle of the slide, or else that of touchdown."""
     times = {name: group.attrs["parameter"] for name, group in file["contact"].items() if name.startswith("steady_")}
     if not times:
         return touchdown_state(file)
@@ -71,7 +71,7 @@ def contact_maps(results):
 
 
 def resolution(file, state):
-    """Sentence on the details that the map of a round contact does not resolve."""
+    """Sentence on the details that a contact map of a round slider does not resolve."""
     pressure = mirrored(file, file["contact"][state]["pressure"][...])[1]
     touching = pressure > 0
     inner = within(touching)
@@ -88,14 +88,15 @@ def resolution(file, state):
 
 
 def from_above(file, title, values, **look):
-    """A cell that shows a map of the footprint."""
+    """Cell of a chart that shows a map of the contact cells from above."""
     x, (y, values) = file["contact/grid/x"][...], mirrored(file, values)
     return Cell(title, Axis("x from the slider's centre", "m", x[0], x[-1]), Axis("y", "m", y[0], y[-1]), map=Map(x, y, values, **look),
                 equal=True)
 
 
 def traction_maps(file, state, words, share):
-    """Pressure and shear traction of a state; the colour scale ends where `share` of the touched area lies below."""
+    """Maps of pressure and shear traction of a contact state; `share` of the touched area
+    lies below the end of the colour scale."""
     group, areas = file["contact"][state], cell_areas(file)
     pressure, shear = group["pressure"][...], numpy.hypot(group["shear_x"][...], group["shear_y"][...])
     touching, cells = pressure > 0, []
@@ -109,7 +110,7 @@ def traction_maps(file, state, words, share):
 
 
 def touching_and_slipping(file, state, friction):
-    """Cells that touch, and those of them whose traction is at the limit of Coulomb's law; by their slip for other laws."""
+    """Touching cells, and slipping cells [y][x]: by the limit of Coulomb's law, or by their slip for other friction laws."""
     group = file["contact"][state]
     pressure, slip = group["pressure"][...], group["slip"][...]
     shear = numpy.hypot(group["shear_x"][...], group["shear_y"][...])
@@ -121,7 +122,7 @@ def touching_and_slipping(file, state, friction):
 
 
 def onset_state(file, friction):
-    """The state of the onset of sliding whose stuck part is nearest a half, and words for it."""
+    """Name of the state at the onset of sliding whose stuck share is nearest to a half, and words for it."""
     names = sorted(name for name in file["contact"] if name.startswith("onset_"))
     if not names:
         return middle_state(file), "mid-slide"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""One numbered figure: its caption, and how it is drawn of a run or a sweep."""
+"""Numbered figure: its caption, and the function that makes its chart for a run or a sweep."""
 
 from typing import Callable, NamedTuple
 
@@ -8,7 +8,7 @@ from .chart import with_coincidence_noted
 
 
 class Entry(NamedTuple):
-    """One numbered figure; `build` takes a Study and returns a Chart, or the reason for none."""
+    """Numbered figure; `build` is a function of a Study that returns a Chart, or a text that says why there is none."""
 
     name: str
     heading: str
@@ -21,13 +21,18 @@ class Entry(NamedTuple):
         return int(self.name[3:5])
 
     def chart(self, study):
-        """The Chart, or the reason for none."""
+        """Chart of the figure for a Study, or a text that says why there is none."""
         chart = self.build(study)
         return chart if isinstance(chart, str) else with_coincidence_noted(chart)
 
 
 def of_run(build, lacks, named=True):
-    """A figure of the typical run from its Chart. lacks: words for its absence, of the Results; named: says which run it is"""
+    """Makes the `build` of a figure that shows the typical run of a Study.
+
+    build  function of Results that returns a Chart, or None
+    lacks  function of Results that returns the reason why there is none
+    named  True to say in the figure which run it shows
+    """
     def drawn(study):
         results = study.typical.results
         chart = build(results)

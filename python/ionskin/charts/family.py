@@ -20,7 +20,7 @@ LINEAR = 1e-3  # part of the peak within which the colours of a map of currents 
 
 
 def looks(study):
-    """Triples of member, colour from dark to light, and label, "" for some of many."""
+    """Looks of a Study's members: triples of member, colour from dark to light, and label, "" for some where there are many."""
     shown = study.members[::-(-len(study.members) // MOST_MEMBERS)]
     named = set(numpy.linspace(0, len(shown) - 1, min(MOST_NAMED, len(shown))).round().astype(int))
     return [(member, BLUE if study.single else mixed(SEQUENCE, FADE * place / max(1, len(shown) - 1)),
@@ -56,19 +56,22 @@ def currents(study):
 
 
 def value_edges(values):
-    """Edges of cells around ascending values."""
+    """Edges of cells about ascending values, halfway between them."""
     values = numpy.asarray(values, float)
     middle = (values[1:] + values[:-1]) / 2
     return numpy.concatenate([[values[0] - (middle[0] - values[0])], middle, [values[-1] + (values[-1] - middle[-1])]])
 
 
 def no_map(study):
-    """Reason why a study has no map over time and its key, or ""."""
+    """Reason why a Study has no map over time and its key; "" when it has one."""
     return NEEDS_SEVERAL if study.single else SEVERAL_KEYS if study.scattered else ""
 
 
 def with_first_contact(study, cells_of):
-    """Rows of a map of the whole run and of the same around the first contact. cells_of: takes the axis of a part and its name"""
+    """Chart of a map over the whole run and, beside it, about the begin of the first contact.
+
+    cells_of  function of the time axis and a title that returns the cells of one column
+    """
     time = study.typical.results.signals["time"]
     whole = cells_of(Axis("time", "s", float(time[0]), float(time[-1])), "")
     enlarged = [cells_of(Axis(f"time from {instant:.5g} s", "s", begin, end, instant), words)
@@ -96,7 +99,7 @@ def shear_map(study):
 
 
 def key_axis(study, edges):
-    """The vertical axis along the members."""
+    """Vertical axis along the members of a Study, between the edges of a map."""
     return Axis(study.name, study.unit, float(edges[0]), float(edges[-1]))
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Reader of the parts of results.h5 that figures show."""
+"""Reading of the fields in results.h5 that figures show."""
 
 import numpy
 
@@ -14,12 +14,15 @@ def fields_of(results):
 
 
 def cell_areas(file):
-    """Area per cell of the footprint [y][x]."""
+    """Areas of the contact cells [y][x] [m2], from an open results.h5."""
     return numpy.outer(numpy.diff(file["contact/grid/y"][...]), numpy.diff(file["contact/grid/x"][...]))
 
 
 def mirrored(file, values):
-    """A map of the half model completed to the full footprint, with its y edges."""
+    """Completes a map of contact cells of a half model by its mirror image; returns edges in y [m] and values [y][x].
+
+    Maps of a full model are returned as they are.
+    """
     edges = file["contact/grid/y"][...]
     if edges[-1] > 1e-9:
         return edges, values

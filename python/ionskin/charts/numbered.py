@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The numbered figures of a run or a sweep: the page of a sweep draws them, and files are made of them."""
+"""Numbered figures of a run or a sweep, for the page of a sweep and for files."""
 
 from ..article import figures as article
 from . import contact, design, ions, trends, typical

@@ -24,7 +24,7 @@ UNITS = {"ohm": "Ω"}
 
 
 def circuit_words(results):
-    """The readout circuit in words, as the run says it; its name in folders of earlier versions."""
+    """Readout circuit of a run in words; only its name in folders of earlier versions."""
     name = results.case.get("readout", {}).get("circuit", "short")
     words = results.circuit_words.get("words", f"{short(name, 20)} circuit")
     words = VALUE.sub(lambda match: quantity(float(match[1]), UNITS.get(match[2], match[2])), words)
@@ -40,7 +40,7 @@ def is_open(results):
 
 
 def passes_nothing(results):
-    """True where open terminals alone are around: rounding is all that passes between top and bottom."""
+    """True if all terminals are open, so that only rounding errors pass between top and bottom."""
     if not has_own_circuits(results):
         return is_open(results)
     return "current_top_rest" not in results.taxels and all(
@@ -48,7 +48,7 @@ def passes_nothing(results):
 
 
 def carries_nothing(results):
-    """True where neither electrode takes up a current above rounding: of open terminals, under a law that makes no net charge."""
+    """True if neither electrode has a current above rounding: with open terminals, under a law that makes no net charge."""
     return passes_nothing(results) and results.sampled.has("current_common") and derived.common_is_noise(results)
 
 
@@ -170,7 +170,7 @@ def skin_size(results, name, otherwise):
 
 
 def slider_path(results):
-    """The ways of the sliders' centres, dashed, where they are known."""
+    """Dashed shapes of the paths of the sliders' centres, where they are known."""
     ways = []
     for number, case in enumerate(results.sliders):
         name = f"slider_x{suffix(number)}"

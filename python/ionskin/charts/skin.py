@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Figure 1: the skin and the slider above it, seen from the side and from above at once."""
+"""Figure 1: the skin and the slider above it, in an oblique view and from above."""
 
 import numpy
 
@@ -62,14 +62,14 @@ def slider_words(slider):
 
 
 def seen(points):
-    """Where the eye sees points [..., (x, y, z)], to the right and up."""
+    """Projects points [..., (x, y, z)] to the plane of the oblique view: to the right and up."""
     right = numpy.array([-numpy.sin(AZIMUTH), numpy.cos(AZIMUTH), 0.0])
     up = numpy.array([-numpy.cos(AZIMUTH) * numpy.sin(ELEVATION), -numpy.sin(AZIMUTH) * numpy.sin(ELEVATION), numpy.cos(ELEVATION)])
     return numpy.asarray(points, float) @ numpy.array([right, up]).T
 
 
 def box(low, high, colour, label):
-    """The three faces of a box that the eye sees."""
+    """Shapes of the three visible faces of a box between two corners."""
     (x0, y0, z0), (x1, y1, z1) = low, high
     faces = [[(x0, y0, z0), (x1, y0, z0), (x1, y0, z1), (x0, y0, z1)], [(x1, y0, z0), (x1, y1, z0), (x1, y1, z1), (x1, y0, z1)],
              [(x0, y0, z1), (x1, y0, z1), (x1, y1, z1), (x0, y1, z1)]]
@@ -97,7 +97,7 @@ def half_body(slider, centre, lowest, label):
 
 
 def arrow(begin, way):
-    """An arrow in the plane of the skin [mm]."""
+    """Shape of an arrow in the plane of the skin [mm]."""
     tip, ahead = begin + way, way / numpy.linalg.norm(way)
     aside = numpy.array([-ahead[1], ahead[0], 0.0])
     head = [tip - ARROW * (ahead - 0.35 * aside), tip, tip - ARROW * (ahead + 0.35 * aside)]
@@ -166,7 +166,7 @@ def model(results):
 
 
 def moves_across(results, end=""):
-    """True where the centre of a slider, by the suffix of its signals, leaves a line along the skin."""
+    """True if the centre of a slider leaves a line along the skin; `end` is the suffix of the slider's signals."""
     signals = results.signals
     name = f"slider_y{end}"
     return bool(signals.has(name) and numpy.nanmax(signals[name]) - numpy.nanmin(signals[name]) > 1e-9)
@@ -182,7 +182,8 @@ def outline(slider, centre):
 
 
 def plan(results):
-    """Skin, sliders and paths from above, for several sliders and for paths that leave a line along the skin; None for others."""
+    """Skin, sliders and paths from above, for several sliders and for paths that leave
+    a line along the skin; None for others."""
     found = geometries(results)
     ends = [suffix(number) for number in range(len(found))]
     if not found or not results.signals.has("slider_x") or not (len(found) > 1 or moves_across(results)):

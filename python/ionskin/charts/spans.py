@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Spans and labels that figures share: phases and contacts of a run, what is enlarged, sizes and labels of axes. Draws
-nothing."""
+"""Spans and labels that figures share: phases and contacts of a run, what is enlarged,
+sizes and labels of axes. Draws nothing."""
 
 import numpy
 
@@ -16,7 +16,7 @@ MOST_OF_A_CONTACT = 0.25  # a window is no longer than this part of the contact
 
 
 def contact_spans(results):
-    """The parts of the phases in which slider and skin touch, as PhaseSpan; whole phases where no force is known."""
+    """Parts of the phases in which slider and skin touch, as a list of PhaseSpan; whole phases where no force is known."""
     signals = results.signals
     spans = [span for span in results.phases() if span.phase != "return"]
     if not signals.has("normal_force"):
@@ -33,7 +33,7 @@ def contact_spans(results):
 
 
 def windows(results):
-    """Begin and end [s], instant and name of each enlarged event: where the first contact begins and where it ends."""
+    """Enlarged events, begin and end of the first contact, as rows of begin and end of the window [s], instant [s] and name."""
     spans = contact_spans(results)
     if not spans:
         return []
@@ -54,23 +54,23 @@ def windows(results):
 
 
 def rows_within(signals, span):
-    """Rows whose whole step lies in a span."""
+    """True in rows of a table whose whole time step lies in a span."""
     return (signals["time"] > span.start) & (signals["time"] <= span.end)
 
 
 def slide_start(results):
-    """Start of the slide of the first cycle [s], or None."""
+    """Start of the slide of the first cycle [s]; None without one."""
     return next((span.start for span in results.phases() if span.phase == "slide"), None)
 
 
 def peak_of(*columns):
-    """Largest magnitude over columns with empty entries; 0 without any."""
+    """Largest magnitude over columns, NaN ignored; 0 without numbers."""
     values = numpy.concatenate([numpy.ravel(column) for column in columns]) if columns else numpy.empty(0)
     return float(numpy.max(numpy.abs(values[numpy.isfinite(values)]), initial=0.0))
 
 
 def scaled_label(name, unit, peak):
-    """Divisor of the values of an axis, and its label with the prefixed unit."""
+    """Divisor of the values of an axis, and its label with the prefixed unit, by the largest magnitude `peak`."""
     divisor, prefix = si_scale(peak)
     if unit != "1":
         return divisor, f"{name} [{prefix}{unit}]"
@@ -87,6 +87,6 @@ def sampling_interval(results):
 
 
 def sampled_label(results):
-    """Names the sampled current with its interval."""
+    """Label of a sampled current, with its interval."""
     interval = sampling_interval(results)
     return f"sampled, mean over the {quantity(round(interval, 9), 's')} before" if interval else "sampled"

@@ -19,14 +19,15 @@ FULL_SLIP_SHOWN = 1.25  # times the longest time to full slip
 
 
 def along(study, named=True):
-    """The horizontal axis along the members."""
+    """Horizontal axis along the members of a Study; `named`: with the name of its key."""
     values = [member.value for member in study.members]
     room = 0.04 * (max(values) - min(values)) or 0.1 * abs(values[0]) or 1.0
     return Axis(study.name if named else "", study.unit, min(values) - room, max(values) + room)
 
 
 def trend(study, values, label="", colour=BLUE, look="", errors=None):
-    """A curve over the members, marks alone where other keys vary too. errors: of the values, in their unit"""
+    """Curve of values over the members of a Study, only marks where other keys vary, too;
+    `errors` are those of the values, in their unit."""
     values = numpy.asarray(values, float)
     band = None if errors is None or not numpy.any(errors) else (values - errors, values + errors)
     return Curve(numpy.array([member.value for member in study.members], float), values, label, colour,
@@ -34,7 +35,7 @@ def trend(study, values, label="", colour=BLUE, look="", errors=None):
 
 
 def metric(study, name, label="", colour=BLUE, look=""):
-    """A curve of a metric over the members, with its stated errors."""
+    """Curve of a metric over the members of a Study, with its error estimates."""
     values = numpy.array(study.metric(name), float)
     return trend(study, values, label, colour, look, numpy.nan_to_num(numpy.array(study.errors(name)) * numpy.abs(values)))
 
@@ -48,7 +49,7 @@ def reading(study, name):
 
 
 def shear_cell(study, name, axis, title):
-    """A metric of the shear with the power laws that it follows, and these in words."""
+    """Cell with a metric of the shear and the power laws that fit it, and the text on these laws."""
     curve = metric(study, name)
     if not numpy.isfinite(curve.y).any():
         return Cell(title, along(study), Axis(axis, "1", 0.0, 1.0), notes=(quiet_note("the runs have no shear"),), height=1.3), ""
@@ -115,7 +116,8 @@ def correlation(study):
 
 
 def stick_history(file):
-    """Time since the begin of the first slide [s] and stuck part of the contact area along its onset."""
+    """Time since the begin of the first slide [s], and stuck share of the contact area,
+    at the onset states of an open results.h5."""
     states = [file["contact"][name] for name in sorted(file["contact"]) if name.startswith("onset_")]
     areas = cell_areas(file)
     times = numpy.array([float(state.attrs["parameter"]) for state in states]) - file["path/onset_begin"][0]
@@ -208,7 +210,7 @@ def departure_cell(study, precursors):
 
 
 def inside(precursors):
-    """For each member, True where any current shows the onset beforehand."""
+    """Booleans, one for each member: True if any current shows the onset of slip before full slip."""
     return [any(each.certain for each in pair) for pair in zip(*precursors.values())]
 
 
@@ -223,7 +225,7 @@ def window_spans(study, precursors):
 
 
 def window_words(study, precursors):
-    """The shaded values in words: "recognised at 0.1–0.3, 0.5"."""
+    """Words for the shaded values: "recognised at 0.1–0.3, 0.5"."""
     runs = []
     for before, member, certain in zip([False, *inside(precursors)], study.members, inside(precursors)):
         if certain:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Figures 11 to 15 and 20: motion, shear and current of the run that stands for all."""
+"""Figures 11 to 15 and 20: motion, shear and current of the typical run of a study."""
 
 import numpy
 
@@ -16,7 +16,10 @@ BEFORE, AFTER = 0.2e-3, 1e-3  # of an event that is enlarged [s]
 
 
 def needs(*columns):
-    """A figure of a run with currents and the named signals; the reason for none where they lack."""
+    """Decorator that makes a figure of a Study's typical run from a function of Results.
+
+    The figure is the reason for its absence where the run lacks currents or the named signals, or, without names, phases.
+    """
     def wrapped(build):
         def drawn(study):
             results = study.typical.results
@@ -32,12 +35,12 @@ def needs(*columns):
 
 
 def scaled(values):
-    """A series divided by its largest magnitude."""
+    """Divides a series by its largest magnitude."""
     return values / (peak_of(values) or 1.0)
 
 
 def sampled(results, name, label="", divided=False, look=""):
-    """A sampled current with its stated error."""
+    """Curve of a sampled current with its error band; `divided`: by its largest magnitude."""
     column = f"current_{name}"
     values = results.sampled[column]
     return Curve(results.sampled["time"], scaled(values) if divided else values, label, COLOURS[name], "held", look=look,
@@ -122,7 +125,7 @@ def events(results):
 
 
 def enlarge(results, instant, before, after, words):
-    """The resolved current of both electrodes around an event."""
+    """Cell with the resolved current of both electrodes about an event, from `before` to `after` it [s]."""
     signals = results.signals
     shown = (signals["time"] >= instant - before) & (numpy.concatenate([signals["time"][:1], signals["time"][:-1]]) <= instant + after)
     curves = tuple(Curve(signals["time"][shown], signals[f"current_{name}"][shown], f"{name}, resolved", COLOURS[name], "over", look=look)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The underside of a slider, as far as figures draw it."""
+"""Underside of a slider, as figures draw it."""
 
 import numpy
 
@@ -11,7 +11,7 @@ CLOSED_FORMS = ("flat", "cylinder", "sphere")  # any other shape is drawn by the
 
 
 class Underside:
-    """Heights above the lowest point over the plan of a slider. Lengths in metres, from the slider's centre."""
+    """Height of a slider's underside above its lowest point, as a function of x and y from the slider's centre [m]."""
 
     def __init__(self, slider, heights=None):
         """`slider` is the case's table, `heights` those that the run states (read_heights).
@@ -31,7 +31,7 @@ class Underside:
 
     @property
     def unknown(self):
-        """True where neither this file nor the run tells the heights."""
+        """True if the heights are not known, neither from the case nor from the run."""
         return self.shape not in CLOSED_FORMS and self.map is None
 
     @property
@@ -70,7 +70,7 @@ class Underside:
         return numpy.minimum(rise, self.depth)
 
     def lines(self, y, points=121):
-        """Places along x at each y, and the heights there [m]: arrays [y, points]."""
+        """Points along x at each y, and their heights [m], as arrays [y, points]."""
         # Denser towards the ends, where a rounded edge is steep.
         share = numpy.sin(numpy.linspace(-numpy.pi / 2, numpy.pi / 2, points))
         y = numpy.atleast_1d(y)
@@ -79,12 +79,15 @@ class Underside:
 
 
 def arc(radius, distance):
-    """Height of a circle above its lowest point; that of its top beyond its reach."""
+    """Height of a circle above its lowest point at a distance from its centre line [m]; the radius beyond it."""
     return radius - numpy.sqrt(numpy.maximum(0.0, radius**2 - numpy.square(distance)))
 
 
 def read_heights(results, end=""):
-    """Heights that a run states of a slider, by the suffix of its names, as a function of x and y [m]; None where it states none."""
+    """Height map of a slider from the results of a run, as a function of x and y [m]; None where the run has none.
+
+    end  suffix of the names of the slider's signals
+    """
     if not (results.folder / "results.h5").exists():
         return None
     with results.open_fields() as file:
@@ -95,7 +98,7 @@ def read_heights(results, end=""):
 
 
 def interpolated(x, y, heights):
-    """Bilinear between heights [y, x]; beyond them that of the nearest border."""
+    """Function of x and y that interpolates heights [y, x] bilinearly, constant beyond their border."""
     def at(places_x, places_y):
         places_x, places_y = numpy.clip(places_x, x[0], x[-1]), numpy.clip(places_y, y[0], y[-1])
         column = numpy.clip(numpy.searchsorted(x, places_x) - 1, 0, len(x) - 2)

@@ -24,7 +24,7 @@ def detached(folder, name, *arguments):
 
 
 def require_idle(folder):
-    """Raises CaseError where a cluster of this folder answers."""
+    """Requires that no cluster of this folder is running. Raises CaseError when one answers."""
     path = folder / SCHEDULER
     try:
         client = answering(path) if os.path.lexists(path) else None
@@ -36,7 +36,7 @@ def require_idle(folder):
 
 
 def answering(path):
-    """A client of the scheduler that a file names, or None when it is gone."""
+    """Dask client of the scheduler whose file is given; None when it does not answer."""
     from distributed import Client  # pylint: disable=import-outside-toplevel
     address, security = read_scheduler(path)
     try:
@@ -59,7 +59,7 @@ def wait_for_scheduler(folder, process):
 
 
 def start(arguments):
-    """A scheduler and workers on this machine."""
+    """Starts a scheduler and workers on this machine. Raises CaseError."""
     folder = arguments.folder
     if not is_loopback(arguments.address) and not arguments.tls:
         raise CaseError(f"other machines could connect to {arguments.address}, and whoever connects can run code\n  = give "
@@ -92,7 +92,7 @@ def start(arguments):
 
 
 def stop(arguments):
-    """Scheduler and workers. A batch that runs is lost, and its finished points are kept."""
+    """Stops scheduler and workers of a cluster. A running batch is lost; its finished points stay."""
     path = arguments.folder / SCHEDULER
     require_distributed()
     if not os.path.lexists(path):

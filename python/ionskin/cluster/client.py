@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A client of a cluster: connecting, room on its workers, and working off jobs with as many known to the scheduler as it has
-places for."""
+"""Client of a cluster: connects, checks the room on its workers, and runs jobs, of which the
+scheduler gets only as many as its workers can soon take."""
 
 import asyncio
 import contextlib
@@ -19,16 +19,17 @@ WINDOW = 2  # jobs per place that the scheduler knows of: it never queues tasks 
 
 
 class SchedulerLost(Exception):
-    """The connection to the scheduler ended."""
+    """Exception raised when the connection to the scheduler has ended."""
 
 
 class Job(NamedTuple):
-    """A piece of work for a worker.
+    """Job for a worker of a cluster: a function call, and the room that it needs.
 
-    name     for messages: "batch 3"
-    key      a client that comes back with the same finds what is under way
-    call     function and arguments
-    threads, memory [bytes]  that it takes of a worker
+    name     name in messages, such as "batch 3"
+    key      key of the task at the scheduler: a client that reconnects and submits the same key finds the task under way
+    call     function and its arguments
+    threads  number of threads that it needs
+    memory   memory that it needs [bytes]
     """
 
     name: str
@@ -40,9 +41,10 @@ class Job(NamedTuple):
 
 @contextlib.contextmanager
 def patience(what, most):
-    """Prints the name of a thing that is waited for, where it is not there at once.
+    """Context of a wait: after a second, prints what is waited for.
 
-    most  seconds
+    what  name of the awaited thing
+    most  longest time of the wait, for the message [s]
     """
     def tell():
         print(f"waiting for {what}, {most} s at most", file=sys.stderr, flush=True)
@@ -58,7 +60,8 @@ def patience(what, most):
 
 @contextlib.contextmanager
 def connected(scheduler):
-    """A client of the scheduler whose file is given, with a worker at least. Raises CaseError."""
+    """Context that yields a Dask client of the scheduler whose file is given, once it has a
+    worker. Raises CaseError when none comes."""
     address, security = read_scheduler(scheduler)
     require_listening(address, scheduler)
     from distributed import Client  # pylint: disable=import-outside-toplevel
@@ -83,7 +86,7 @@ def connected(scheduler):
 
 
 def workers_of(client):
-    """The workers there are. Raises SchedulerLost."""
+    """Workers of a cluster, as the scheduler describes them: dict by address. Raises SchedulerLost."""
     if client.status != "running":
         raise SchedulerLost
     try:
@@ -93,13 +96,14 @@ def workers_of(client):
 
 
 def places(workers, job):
-    """Number of jobs of this kind that the workers can do at once."""
+    """Number of jobs with the needs of `job` that the workers can run at once."""
     return sum(min(worker["resources"].get("THREADS", 0) // job.threads,
                    worker["resources"].get("MEMORY", 0) // max(1, job.memory)) for worker in workers.values())
 
 
 def require_room(workers, jobs):
-    """Raises CaseError for a job that no worker can ever take."""
+    """Requires that each job fits into some worker. Raises CaseError for a job that
+    needs more threads or memory than any has."""
     for job in jobs:
         if places(workers, job) < 1:
             threads, memory = (max(worker["resources"].get(name, 0) for worker in workers.values())
@@ -111,12 +115,14 @@ def require_room(workers, jobs):
 
 
 def work_off(client, jobs, took: Callable[[Job, Any, str], None], show: Callable[[int, int], None]):
-    """Does every job; the first are the first to be submitted.
+    """Runs all jobs on a cluster, in the order of the list, and returns when all have ended.
 
-    took  called with (job, result, problem) as each ends; the result is None where the problem, a text, is not empty
-    show  called with the numbers of running jobs and of workers, about once a second
+    client  Dask client
+    jobs    list of Job
+    took    called with (job, result, problem) as each job ends: the return value and "", or None and a text on the failure
+    show    called with the numbers of running jobs and of workers, about once a second
 
-    Raises CaseError before any work, and SchedulerLost.
+    Raises CaseError before any work when a job fits into no worker, and SchedulerLost.
     """
     from distributed import wait  # pylint: disable=import-outside-toplevel
     require_room(workers_of(client), jobs)

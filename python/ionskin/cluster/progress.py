@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The line that tells how far the batches of a sweep on a cluster are."""
+"""Progress of the batches of a sweep on a cluster, as lines on standard error."""
 
 import json
 import sys
@@ -7,20 +7,24 @@ import time
 
 
 class BatchProgress:
-    """mode: "bar" (one line that is rewritten), "lines", "json" or "none", as for --progress."""
+    """Progress of the batches of a sweep, printed on standard error.
+
+    done, failed  sets of the numbers of batches that ended, which the caller fills
+    """
 
     def __init__(self, mode, batches):
-        """batches: estimated seconds by number"""
+        """mode: "bar" (one line that is rewritten), "lines", "json" or "none"; batches:
+        dict of number to estimated time [s]."""
         self.mode, self.seconds, self.done, self.failed = mode, batches, set(), set()
         self.start, self.shown, self.ends_open = time.monotonic(), None, False
 
     def time_left(self):
-        """Time that is left [s], by the shares of the estimated work; None before anything is done."""
+        """Estimated remaining time [s], by the finished share of the estimated work; None before a batch is done."""
         share = sum(self.seconds[batch] for batch in self.done) / sum(self.seconds.values())
         return (time.monotonic() - self.start) * (1 - share) / share if share else None
 
     def show(self, running, workers):
-        """Prints the progress, where it has changed."""
+        """Prints the progress if it has changed; `running` and `workers` are numbers of jobs and workers."""
         state = (len(self.done), running, len(self.failed), workers)
         if self.mode == "none" or state == self.shown:
             return
@@ -37,11 +41,11 @@ class BatchProgress:
         print(f"\r\033[K{line}" if self.ends_open else line, end="" if self.ends_open else "\n", file=sys.stderr, flush=True)
 
     def say(self, text):
-        """A line of its own."""
+        """Prints a message on a line of its own."""
         print("\n" * self.ends_open + text, file=sys.stderr, flush=True)
         self.ends_open, self.shown = False, None
 
     def close(self):
-        """Ends an open line."""
+        """Ends the line of a bar."""
         if self.ends_open:
             print(file=sys.stderr, flush=True)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A sweep from Python on a cluster: by the program, which plans, has the batches done, and collects."""
+"""Sweep from Python on a cluster: runs the program ionskin, which plans it, hands out its batches and collects results."""
 
 import json
 import os
@@ -16,11 +16,11 @@ UNFINISHED, LOST, INTERRUPTED = 4, 5, 130  # exit codes
 
 
 class ClusterError(RuntimeError):
-    """A cluster did not finish a sweep; what was finished is kept, and resume=True continues."""
+    """Error of a cluster that did not finish a sweep; finished points stay in the folder, and resume=True continues."""
 
 
 def program():
-    """Path of the program that belongs to this package. Raises CaseError."""
+    """Path of the program ionskin that belongs to this package. Raises CaseError when it is not found."""
     beside = pathlib.Path(solver.load().__file__).resolve().parent.parent / "ionskin"
     found = str(beside) if beside.is_file() else shutil.which("ionskin")
     if found is None:
@@ -29,7 +29,14 @@ def program():
 
 
 def sweep_on_cluster(case, axes, folder, on, settings, progress):
-    """Runs a sweep on the workers of the scheduler whose file is `on`.
+    """Runs a sweep on the workers of a cluster.
+
+    case      the Case
+    axes      list of texts "KEY=values", as for --over
+    folder    output folder of the sweep
+    on        file of the cluster's scheduler
+    settings  dict of `running.solve_settings`, with samples, sampling and seed
+    progress  called with (activity, finished fraction in [0, 1]); None for no calls
 
     Raises CaseError before any work, SolverError when every point failed, ClusterError when points are left, and
     KeyboardInterrupt.

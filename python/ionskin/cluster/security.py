@@ -30,7 +30,7 @@ def require_distributed():
 
 
 def is_loopback(host):
-    """True where an address or a name stands for this machine alone. Raises CaseError for an unknown name."""
+    """True if an address or a host name means this machine itself. Raises CaseError for an unknown name."""
     try:
         found = {entry[4][0] for entry in socket.getaddrinfo(host, None)}
     except OSError as error:
@@ -39,7 +39,11 @@ def is_loopback(host):
 
 
 def make_certificate(folder):
-    """A key and a certificate of the cluster, for the scheduler, its workers and clients alike; mode 600."""
+    """Makes key and certificate of a cluster in its folder, readable only by the user; scheduler, workers and clients
+    share them.
+
+    Raises CaseError without openssl.
+    """
     folder = pathlib.Path(folder)
     for name in (CERTIFICATE, KEY):
         (folder / name).unlink(missing_ok=True)
@@ -53,7 +57,8 @@ def make_certificate(folder):
 
 
 def tls(folder):
-    """Dask's Security with the certificate of a cluster's folder. Raises CaseError."""
+    """Makes Dask's Security of the certificate in a cluster's folder. Raises CaseError when
+    it is missing or others can read its key."""
     from distributed.security import Security  # pylint: disable=import-outside-toplevel
     certificate, key = (pathlib.Path(folder) / name for name in (CERTIFICATE, KEY))
     for path in (certificate, key):
@@ -69,7 +74,7 @@ def tls(folder):
 
 
 def _address(path):
-    """Address and host in the file of a scheduler. Raises CaseError."""
+    """Reads address and host name from the file of a scheduler. Raises CaseError when it is no such file."""
     remedy = f"start a cluster: ionskin cluster start FOLDER, and name FOLDER/{SCHEDULER}"
     try:
         address = files.read_json(path, remedy=remedy)["address"]
@@ -85,7 +90,8 @@ def _address(path):
 
 
 def require_listening(address, path):
-    """Raises CaseError where nothing waits for connections at the address that a file names: the scheduler was killed."""
+    """Requires that a scheduler listens at an address; `path` is its file, for
+    messages. Raises CaseError when it was killed."""
     parts = urlsplit(address)
     try:
         socket.create_connection((parts.hostname, parts.port), timeout=REACH).close()
@@ -95,7 +101,8 @@ def require_listening(address, path):
 
 
 def read_scheduler(path):
-    """Address and Security from the file of a scheduler. Raises CaseError."""
+    """Reads the file of a scheduler: its address, and its Security, None without TLS.
+    Raises CaseError when it cannot be used safely."""
     path = pathlib.Path(path)
     address, host = _address(path)
     require_distributed()

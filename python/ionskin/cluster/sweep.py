@@ -23,13 +23,13 @@ DONE = (0, 3)  # exit codes of a batch whose points are rows
 
 
 def numbers(text):
-    """The numbers of "0-3,7"."""
+    """Reads a list of numbers with ranges: "0-3,7" gives [0, 1, 2, 3, 7]."""
     ranges = [part.split("-") for part in text.split(",") if part]
     return [number for ends in ranges for number in range(int(ends[0]), int(ends[-1]) + 1)]
 
 
 class Driver:
-    """Has batches done, longest first, and takes their results."""
+    """Runs the batches of a planned sweep on a cluster, the longest first, and takes their results into the sweep's folder."""
 
     def __init__(self, client, folder, plan, progress):
         self.client, self.folder, self.progress = client, folder, progress
@@ -37,13 +37,14 @@ class Driver:
         self.token = f".ionskin-cluster-{uuid.uuid4().hex}"
 
     def job(self, batch):
-        """The job of a batch, whose key is its own: a client that comes back finds its task."""
+        """Makes the Job of a batch of the plan. Its key follows from plan and batch, so that
+        a client that reconnects finds the task."""
         call = do_batch, batch["number"], str(self.folder), self.token, self.plan, batch["threads"]
         return Job(f"batch {batch['number']}", f"ionskin-{self.digest}-{batch['number']}", call, batch["threads"],
                    batch["memory_bytes"])
 
     def take(self, job, result, problem):
-        """Takes the result of a batch that ended, or the problem."""
+        """Takes the result of a batch that ended, or the text of its failure, and reports it."""
         batch = job.call[1]
         if not problem:
             if result["archive"] is not None:
@@ -56,7 +57,7 @@ class Driver:
             self.progress.done.add(batch)
 
     def run(self, batches):
-        """Raises CaseError before any work, and SchedulerLost."""
+        """Runs batches, given as entries of the plan. Raises CaseError before any work, and SchedulerLost."""
         jobs = [self.job(batch) for batch in sorted(batches, key=lambda batch: -batch["seconds"])]
         require_room(workers_of(self.client), jobs)
         (self.folder / self.token).touch()
@@ -67,7 +68,14 @@ class Driver:
 
 
 def drive(folder, scheduler, chosen, mode):
-    """Does the chosen batches on a cluster. Raises CaseError and SchedulerLost."""
+    """Runs batches of the sweep that is planned in a folder on a cluster.
+
+    scheduler  file of the cluster's scheduler
+    chosen     numbers of the batches
+    mode       form of the progress, as for BatchProgress
+
+    Raises CaseError and SchedulerLost.
+    """
     with files.open_ordinary(folder / "plan.json", LARGEST_PLAN) as file:
         plan = file.read()
     batches = [batch for batch in json.loads(plan)["batches"] if batch["number"] in set(chosen)]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Task of a worker of a cluster: one batch of a sweep, by the program as a process of its own."""
+"""Task of a cluster's worker: one batch of a sweep, run by the program ionskin as a separate process."""
 
 import io
 import os
@@ -12,11 +12,16 @@ LONGEST_MESSAGE = 2000
 
 
 def do_batch(batch, folder, token, plan, threads):
-    """Does a batch and returns {"code", "message", "archive"}; never raises for what the program says.
+    """Runs one batch of a planned sweep on a worker. It does not raise when the program fails.
 
-    folder, token  of the sweep, and a file in it: where this worker sees it, the results are written there
-    plan           bytes of plan.json, for a worker that does not
-    archive        the points as a zip file, None where they are in the folder
+    batch    number of the batch
+    folder   output folder of the sweep
+    token    name of a file in the folder: a worker that sees the file shares the folder and writes its results there
+    plan     bytes of plan.json, for a worker that does not share the folder
+    threads  number of threads
+
+    Returns {"code": exit code, "message": standard error, "archive": zip file of the points as bytes, or None where they are
+    in the folder}.
     """
     if os.path.exists(os.path.join(folder, token)):
         code, message = _program(batch, folder, threads)
@@ -28,7 +33,7 @@ def do_batch(batch, folder, token, plan, threads):
 
 
 def pack(folder):
-    """A zip file of a folder's files as bytes."""
+    """Packs all files of a folder into a zip file and returns its bytes."""
     buffer = io.BytesIO()
     with zipfile.ZipFile(buffer, "w", zipfile.ZIP_DEFLATED, compresslevel=1) as archive:
         for path in sorted(folder.rglob("*")) if folder.is_dir() else ():
@@ -38,7 +43,7 @@ def pack(folder):
 
 
 def unpack(data, folder):
-    """The files of `pack` into a folder; names cannot lead out of it."""
+    """Unpacks the bytes of `pack` into a folder; no name can lead out of the folder."""
     with zipfile.ZipFile(io.BytesIO(data)) as archive:
         archive.extractall(folder)
 
@@ -49,7 +54,8 @@ def _local_folder():
 
 
 def _program(batch, folder, threads):
-    """The program dies with the worker: else it would go on beside the one that repeats the batch."""
+    """Runs the program on a batch; returns exit code and standard error. It ends with the
+    worker, since the batch is repeated then."""
     command = ["setpriv", "--pdeathsig", "KILL", os.environ["IONSKIN_FRONT"], "sweep", "--do-batch", str(batch), "-o", folder,
                "--threads", str(threads), "--quiet"]
     process = subprocess.run(command, stdin=subprocess.DEVNULL, capture_output=True, text=True, errors="replace", check=False)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Trials of a study on the workers of a cluster: one process of one thread each, as on this machine."""
+"""Engine that runs trials of a study on the workers of a cluster, each in a process of one thread."""
 
 import pathlib
 import tempfile
@@ -32,17 +32,19 @@ def do_trial(task: dict) -> dict:
 
 
 class ClusterEngine:
-    """Runs trials on the workers of the scheduler whose file is `on`; outcomes come back through the scheduler.
+    """Engine that runs trials on the workers of a cluster; their outcomes come back through its scheduler.
 
+    on       file of the cluster's scheduler
+    workers  number of workers, as last reported
     """
 
     def __init__(self, on) -> None:
-        """Raises CaseError for a file that is none of a scheduler that may be connected to."""
+        """Reads the file of the scheduler. Raises CaseError when it is none, or may not be connected to."""
         read_scheduler(on)
         self.on, self.workers = on, 0
 
     def evaluate(self, case, trials, folder, on_result) -> None:
-        """Evaluates the trials as LocalEngine.evaluate does. Raises SchedulerLost too."""
+        """Runs every trial and writes its outcome, as `LocalEngine.evaluate` does. Raises CaseError and SchedulerLost."""
         del case  # every trial holds its own
         if not trials:
             return

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""One worker of a cluster, until its scheduler leaves: a Dask nanny, whose worker starts the program for each batch."""
+"""Worker of a cluster, which runs until its scheduler ends: a Dask nanny, whose worker starts the program for each batch."""
 
 import asyncio
 import os
@@ -18,7 +18,7 @@ def default_threads():
 
 
 def default_memory():
-    """Bytes that a job of Slurm was given on this node, or else a share of the free memory."""
+    """Memory of a worker [bytes]: that which Slurm gave the job on this node, or else a share of the free memory."""
     if os.environ.get("SLURM_MEM_PER_NODE"):
         return float(os.environ["SLURM_MEM_PER_NODE"]) * 2**20
     with open("/proc/meminfo", encoding="ascii") as file:
@@ -27,7 +27,7 @@ def default_memory():
 
 
 def local_folder():
-    """A folder of this user on a disk of this machine, for batches."""
+    """Folder of this user on a local disk of this machine, in which batches run."""
     path = pathlib.Path(tempfile.gettempdir(), f"ionskin-worker-{os.getuid()}")
     path.mkdir(mode=0o700, exist_ok=True)
     state = path.lstat()
@@ -46,7 +46,13 @@ async def _work(address, security, host, threads, memory, death_timeout):
 
 
 def work(folder, threads, memory, death_timeout):
-    """Works for the cluster of a folder. Raises CaseError."""
+    """Runs a worker for the cluster of a folder until its scheduler ends.
+
+    threads, memory  number of threads and memory [bytes]; 0 for the defaults
+    death_timeout    time for which it waits for the scheduler [s]
+
+    Raises CaseError.
+    """
     address, security = read_scheduler(pathlib.Path(folder) / SCHEDULER)
     require_listening(address, pathlib.Path(folder) / SCHEDULER)
     try:

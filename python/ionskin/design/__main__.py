@@ -15,7 +15,8 @@ RANGE = re.compile(r"\s*([^=]+?)\s*=\s*([^:]+):\s*([-+.\deE]+)\s*(.*?)\s*")
 
 
 def free_range(text: str) -> tuple[str, tuple[str, str]]:
-    """Key and both ends of "KEY=50:500 um"; the unit behind the second serves both."""
+    """Reads "KEY=50:500 um" as the key and the texts of both ends; one unit, behind the
+    second, serves both. Raises CaseError."""
     match = RANGE.fullmatch(text)
     if not match:
         raise CaseError(f'"{text}" is not a range\n  = write KEY=LOWEST:HIGHEST UNIT, such as '
@@ -26,7 +27,7 @@ def free_range(text: str) -> tuple[str, tuple[str, str]]:
 
 
 def evaluations(study: Design) -> str:
-    """Table with one row for each evaluation, as CSV text."""
+    """CSV text of a search, one row for each evaluation: values of the keys, metrics and, where it failed, the reason."""
     units = next((outcome.units for outcome in study.outcomes.values() if not outcome.reason), {})
     names = list(dict.fromkeys([study.objective, *(one.metric for one in study.constraints)]))
     text = io.StringIO()

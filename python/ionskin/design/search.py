@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The search for the best design, by ask and tell."""
+"""Design optimization: the search for the best values of keys of a case under constraints, by ask and tell."""
 
 import math
 import re
@@ -22,7 +22,7 @@ TOLERANCE = 1e-4  # of a constraint's bound
 
 
 class Constraint(NamedTuple):
-    """A constraint `metric sign bound` in the SI unit of the metric; unit is "" where none was written."""
+    """Constraint `metric sign bound` of a search, such as "normal_force_slide < 3 N"; unit is "" where none was written."""
 
     metric: str
     sign: str
@@ -31,24 +31,28 @@ class Constraint(NamedTuple):
 
     @property
     def equal(self) -> bool:
-        """True where the metric must have the value."""
+        """True if the constraint is an equality: the metric must have the value of the bound."""
         return self.sign.startswith("=")
 
     def margin(self, metrics: dict) -> float:
-        """At least 0 where it holds (0 for an equality), as a share of the bound."""
+        """Margin of the constraint, as a share of the bound [1]: at least 0 where an
+        inequality holds, 0 where an equality holds."""
         gap = (metrics[self.metric] - self.bound) / (abs(self.bound) or 1.0)
         return gap if self.equal or self.sign.startswith(">") else -gap
 
 
 class Design:
-    """The best values of free keys, every candidate evaluated.
+    """Design search: values of free keys of a case at which a metric is least, or largest, under constraints.
+
+    The search asks for trials, the caller runs them and hands the results back.
 
     case        an ionskin.Case; None for a function of one's own, whose keys are any names
-    free        (lowest, highest) as texts by key: {"skin.layers[1].thickness": ("50 um", "500 um")}
+    free        dict of key to its range (lowest, highest), as texts: {"skin.layers[1].thickness": ("50 um", "500 um")}
     objective   name of the metric
-    maximise    the largest instead of the least
-    subject_to  constraints such as "normal_force_slide < 3", numbers in SI units; == takes equalities
-    budget      how many evaluations at most
+    maximise    True to search the largest value of the metric instead of the least
+    subject_to  constraints on metrics, such as "normal_force_slide < 3 N", in the SI unit of the metric; == for equalities
+    budget      largest number of evaluations
+    seed        seed of the search
 
         while trials := study.ask():
             for trial in trials:
@@ -93,7 +97,8 @@ class Design:
         return Trial(number, values, case.check())
 
     def ask(self) -> list[Trial]:
-        """Trials to evaluate; empty when the search has ended."""
+        """Returns the trials to evaluate next; [] when the search has ended. Raises CaseError
+        when too few evaluations gave a result."""
         open_ = [trial for trial in self.trials if trial.number not in self.outcomes]
         if open_ or len(self.trials) >= self.budget or self.radius < SMALLEST:
             return open_
@@ -131,7 +136,13 @@ class Design:
         return min(rows, key=lambda number: self._merit(number, scale))
 
     def tell(self, trial: Trial, result: Any) -> None:
-        """Takes the Results of a run, numbers by name of a metric, or the exception that a run ended with."""
+        """Takes the result of a trial.
+
+        trial   a trial that `ask` returned
+        result  Results of its run, a dict of metric name to number, or the exception with which its run ended
+
+        Raises CaseError when the result lacks the objective or a constrained metric, or has it in another unit than the bound.
+        """
         outcome = Outcome.of(result)
         outcome.require([self.objective, *(one.metric for one in self.constraints)])
         for one in self.constraints if outcome.units else ():
@@ -152,7 +163,7 @@ class Design:
             self.radius = min(LARGEST, self.radius * GROW)
 
     def best(self) -> tuple[Trial, dict] | None:
-        """The best evaluated trial that meets every constraint, and its metrics; None where none does."""
+        """Best trial so far that meets every constraint, with a dict of its metrics in SI units; None where no trial does."""
         rows = [number for number, outcome in self.outcomes.items() if not outcome.reason and self._missed(number) <= TOLERANCE]
         if not rows:
             return None

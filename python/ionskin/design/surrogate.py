@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The next place to evaluate: the optimum of interpolants within a trust region."""
+"""Choice of the next point to evaluate: optimum of interpolants of all results within a trust region."""
 
 import warnings
 
@@ -12,10 +12,16 @@ TRUSTED = 1e-6  # how far a constraint may be missed by the interpolants, in its
 
 
 def next_place(places, objective, constraints, equal, centre, radius, generator):
-    """Place at which the interpolated objective is least and the interpolated constraints are >= 0 (= 0 where `equal`).
+    """Finds the point [keys] at which the interpolated objective is least and the interpolated constraints hold.
 
-    places [n, keys] within the unit cube; objective [n]; constraints [n, m]. Searched by SLSQP (Kraft, 1988) within
-    `radius` of `centre`, from several starts.
+    places          array [n, keys]: evaluated points within the unit cube
+    objective       array [n]
+    constraints     array [n, m]: margins, at least 0 where a constraint holds
+    equal           [m] booleans: True for an equality, whose margin must be 0
+    centre, radius  centre [keys] and half the edge of the trust region
+    generator       random generator of numpy, for the starts of the search
+
+    The search goes by SLSQP (Kraft, 1988), from several starts. Raises CaseError when scipy is missing.
     """
     interpolate = need("scipy.interpolate", "ionskin design")
     optimize = need("scipy.optimize", "ionskin design")

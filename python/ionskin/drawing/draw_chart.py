@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Draws a Chart with matplotlib, for files."""
+"""Drawing of a Chart with matplotlib, for figure files."""
 
 import textwrap
 from typing import NamedTuple
@@ -29,7 +29,7 @@ ANCHORS = {"start": "left", "middle": "center", "end": "right"}
 
 
 def draw(chart):
-    """The chart as a figure in the common style."""
+    """Draws a Chart as a matplotlib figure in the common style."""
     rows = [(row, places(chart, row)) for row in chart.rows]
     heights = [max(height_of(cell, width) for cell, (_, width) in zip(row, across)) for row, across in rows]
     lows = [0.06 if row[0].bare else TICKS + NAME * any(cell.x.name for cell in row) for row, _ in rows]
@@ -52,8 +52,7 @@ def draw(chart):
 
 
 class Heading(NamedTuple):
-    """The heading above a cell. title: lines; columns: of the legend; rows: of it, 0 where it stands beside the
-    title"""
+    """The heading above a cell. title: lines; columns: of the legend; rows: of it, 0 where it stands beside the title"""
 
     title: list
     columns: int
@@ -96,7 +95,7 @@ def height_of(cell, width):
 
 
 def draw_cell(figure, panel, cell):
-    """One pair of axes."""
+    """Draws a cell into a panel (matplotlib axes)."""
     xs = [end for end in (cell.x.low, cell.x.high) if end is not None] or [curve.x for curve in cell.curves]
     reach = peak_of(*(numpy.asarray(end) - cell.x.origin for end in xs))
     values = [part for curve in cell.curves for part in (curve.y, *(curve.band or ()))]
@@ -134,7 +133,7 @@ def draw_cell(figure, panel, cell):
 
 
 def draw_curve(panel, curve, along, divisor):
-    """A curve with its band of errors."""
+    """Draws a curve with its error band into a panel."""
     x = along(curve.x)
     if curve.band is not None and curve.look == "none":
         low, high = (end / divisor for end in curve.band)
@@ -175,7 +174,7 @@ def set_axes(panel, cell, along, divisor):
 
 
 def draw_map(figure, panel, drawn, along, divisor):
-    """A map with its bar of colours, or a legend of its classes."""
+    """Draws a map into a panel, with its colour bar or a legend of its classes."""
     classes = drawn.classes
     palette = ListedColormap(list(classes.values())) if classes else drawn.palette
     scale, label = scaled_label(drawn.name, drawn.unit, max(abs(drawn.low), abs(drawn.high)))
@@ -202,7 +201,7 @@ def draw_map(figure, panel, drawn, along, divisor):
 
 
 def draw_shapes(panel, cell, along, divisor):
-    """Outlines and words of a drawing."""
+    """Draws the shapes and notes of a cell into a panel."""
     scale = numpy.array([along(cell.x.origin + 1.0), 1 / divisor])
     for shape in cell.shapes:
         for outline in shape.outlines:
@@ -219,7 +218,7 @@ def draw_shapes(panel, cell, along, divisor):
 
 
 def name_curves(panel, cell, above):
-    """Title and legend above a cell."""
+    """Writes title and legend above a cell."""
     base = PHASES * bool(cell.phases)  # [inch] above the axes
     if above.title:
         panel.set_title("\n".join(above.title), loc="left", pad=72 * (base + ENTRY * above.rows) + 4, color=style.INK, fontweight="bold")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Makes the figures of a folder as files, each drawn once, in as many processes as there are processors."""
+"""Figure files of a folder: draws each figure once, in as many processes as there are processors."""
 
 import concurrent.futures
 import gc
@@ -20,7 +20,8 @@ SAME = {"fig01_model": "model", "fig04_motion": "motion", "fig18_contact_maps": 
 
 
 class Job(NamedTuple):
-    """A figure to draw. files: kinds by name; build: returns a Chart, or the reason for none."""
+    """Figure to draw: its name, the files to write (dict of file name to kinds such as "png"), and the function that
+    makes its Chart or returns the reason why there is none."""
 
     name: str
     files: dict
@@ -28,30 +29,30 @@ class Job(NamedTuple):
 
 
 class Made(NamedTuple):
-    """Outcome of a job: the reason for which it was left out, or ""."""
+    """Outcome of a Job: name of the figure, and the reason why it was not drawn, "" when it was."""
 
     name: str
     reason: str
 
 
 def numbered_jobs(study, only=()):
-    """Jobs for the numbered figures of a run or a sweep, or for those named."""
+    """Jobs for the numbered figures of a Study; only those with the names in `only`, if it is not empty."""
     of_run = not only and study.sweep is None
     return [Job(entry.name, {entry.name: ALL, **({SAME[entry.name]: OF_PAGE} if of_run and entry.name in SAME else {})},
                 lambda entry=entry: entry.chart(study)) for entry in numbered.ENTRIES if not only or entry.name in only]
 
 
 def of_page(results):
-    """Jobs for the files of a run's page that are not numbered figures."""
+    """Jobs for the figures on the page of a run (Results) that are not numbered figures, too."""
     return [Job(entry.name, {entry.name: OF_PAGE}, lambda entry=entry: entry.draw(results) or "") for entry in figures.FIGURES
             if entry.name not in SAME.values()]
 
 
 def make(jobs, folder, progress=None):
-    """Does the jobs and returns a Made for each, in order.
+    """Draws the figures of a list of Job and returns a Made for each, in order.
 
-    folder    of the files
-    progress  called with the finished part
+    folder    folder of the files
+    progress  called with the finished part, from 0 to 1; None for no calls
     """
     _work.update(jobs=jobs, folder=folder)
     found, count = [], min(len(jobs), len(os.sched_getaffinity(0)))
@@ -86,7 +87,7 @@ def _do(place):
 
 
 def save(figure, folder, files):
-    """Writes the kinds of each name in `files`."""
+    """Writes a figure into a folder, for each name in `files` in each of its kinds."""
     figure.set_dpi(DPI)
     for name, kinds in files.items():
         for kind in kinds:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""One look for every figure: publication sizes and colours that colour-blind readers tell apart."""
+"""Common style of all figures: publication sizes, and colours that colour-blind readers can tell apart."""
 
 import matplotlib
 from matplotlib.backends.backend_agg import FigureCanvasAgg
@@ -55,7 +55,7 @@ def apply():
 
 
 def stacked(rows, *, share_x=True, heights=None, width=WIDTH):
-    """A figure with panels on top of each other, of the full width [inch] or another, and the list of its axes."""
+    """Makes a figure with stacked panels; returns it and the list of its axes. `width` in inch; `heights`: relative heights."""
     apply()
     heights = heights or [1] * rows
     height = ROW * sum(heights) + 0.30 + 0.22 * rows
@@ -68,18 +68,18 @@ def stacked(rows, *, share_x=True, heights=None, width=WIDTH):
 
 
 def legend(axes, *, columns=4):
-    """A legend above the panel, where no curve can run through it."""
+    """Adds a legend above a panel, where no curve can run through it."""
     axes.legend(loc="lower right", bbox_to_anchor=(1.0, 0.98), ncol=columns, borderaxespad=0.1,
                 handlelength=1.6, columnspacing=1.4)
 
 
 def title(axes, text):
-    """The name of a panel, above it on the left."""
+    """Writes the name of a panel above it on the left."""
     axes.set_title(text, loc="left", pad=4, color=INK, fontweight="bold")
 
 
 def canvas(width=WIDTH, height=3.0, **margins):
-    """An empty figure of a size in inches, in the common style."""
+    """Makes an empty figure in the common style; width and height in inch."""
     apply()
     figure = Figure(figsize=(width, height))
     FigureCanvasAgg(figure)

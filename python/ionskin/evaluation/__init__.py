@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Many runs of one case with other values: trials, the engine that runs them, and the folder that keeps what they gave.
+"""Many runs of one case with other values: trials, engines that run them, and the folder that stores their outcomes.
 
-An engine has one function, `evaluate(case, trials, folder, on_result)`, and tells its number of workers: `LocalEngine` here,
-`ionskin.cluster.trials.ClusterEngine` on other machines.
+An engine has the function `evaluate(case, trials, folder, on_result)` and its number of workers, `workers`: `LocalEngine` on
+this machine, `ionskin.cluster.trials.ClusterEngine` on others.
 """
 
 from .folder import StudyFolder

@@ -23,12 +23,12 @@ REPRESENTATIVE = 16  # trials
 
 
 def given_options() -> types.SimpleNamespace:
-    """Options of the command line, as the program hands them on: one JSON object, with the names of its options.hpp."""
+    """Options of the command line, which the program ionskin passes as one JSON object, named as in its options.hpp."""
     return types.SimpleNamespace(**json.loads(sys.argv[1]))
 
 
 def base_case(arguments) -> Case:
-    """The case with the edits of --set. Raises CaseError."""
+    """Case of a command, with the edits of --set, checked. Raises CaseError."""
     case = Case.from_file(arguments.case_path)
     for edit in arguments.set_edits:
         key, _, text = edit.partition("=")
@@ -37,7 +37,7 @@ def base_case(arguments) -> Case:
 
 
 def engine(arguments) -> LocalEngine | ClusterEngine:
-    """On this machine, or on the cluster that --on names."""
+    """Engine that runs the trials: on this machine, or on the cluster that --on names. Raises CaseError."""
     if arguments.on:
         if arguments.threads > 1:
             raise CaseError(f"a run of a study takes one thread, not --threads {arguments.threads}\n  = leave out --threads: "
@@ -47,10 +47,13 @@ def engine(arguments) -> LocalEngine | ClusterEngine:
 
 
 def require_disk(trials, count: int, folder, runner) -> None:
-    """Raises CaseError, before any work, where the files of so many trials find no room: what the study keeps of each, and
-    what those that run at once write meanwhile.
+    """Requires room on the disk for the outcomes of `count` trials, and for the files that trials write while they run.
 
-    trials  some of them, that stand for all
+    trials  trials of the study; the first of them stand for all
+    folder  output folder of the study
+    runner  the engine
+
+    Raises CaseError, before any work, when there is not enough room.
     """
     kept = pathlib.Path(folder, "points")
     there = sum(1 for _ in kept.iterdir()) if kept.is_dir() else 0
@@ -64,10 +67,12 @@ def require_disk(trials, count: int, folder, runner) -> None:
 
 
 class Progress:
-    """Lines on standard error: what failed, and how far the runs are, once for each tenth and after each minute."""
+    """Progress of a study, as lines on standard error: each failure, and the number of
+    runs after each tenth and each minute."""
 
     def __init__(self, total: int, quiet: bool, runner) -> None:
-        """runner: the engine, which knows its number of workers"""
+        """Begins the count of `total` runs; `runner` is the engine, whose number of
+        workers is printed. `quiet`: prints nothing."""
         self._total, self._quiet, self._runner = total, quiet, runner
         self._done = self._failed = 0
         self._begin = self._told = time.monotonic()
@@ -90,7 +95,7 @@ class Progress:
 
 @contextlib.contextmanager
 def guarded():
-    """The user's mistake ends with 2, a lost scheduler with 5, an interrupt with 130."""
+    """Context of a command: ends the program with code 2 at the user's mistake, 5 at a lost scheduler, 130 at an interrupt."""
     try:
         yield
     except SchedulerLost:

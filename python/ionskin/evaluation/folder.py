@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The folder of a study: its question, and the outcomes that are finished."""
+"""Folder of a study of many trials: the definition of the study, and the outcomes of its trials."""
 
 import fcntl
 import json
@@ -20,12 +20,14 @@ INNER = re.compile(r"(figures/)?(?!\.{1,2}$)[^/\0]+")  # name of a file of the f
 
 
 class StudyFolder:
-    """Keeps outcomes in FOLDER/points. One process at a time.
+    """Folder of a study, which stores the outcomes of its trials in FOLDER/points. One process may use it at a time.
 
-    question   what defines the trials, as JSON: --resume takes up a folder with the same one only
-    free       names of the question that may change on the way, such as the number of samples
+    question   dict that defines the trials, stored as study.json; a folder is resumed only with an equal one
+    resume     True to continue the study that the folder holds
+    overwrite  True to remove an earlier study's files first
+    free       names in the question that may change when a study is resumed, such as the number of samples
 
-    Raises CaseError where the folder holds something else.
+    Raises CaseError when the folder holds something else, or another process uses it.
     """
 
     def __init__(self, folder, question: dict, *, resume: bool = False, overwrite: bool = False, free=()) -> None:
@@ -66,7 +68,7 @@ class StudyFolder:
         return self._points
 
     def finished(self) -> dict[int, Outcome]:
-        """Outcomes by number of the trial. Trials whose solver gave up, and those whose file is damaged, are tried again.
+        """Reads the finished outcomes, as a dict of trial number to Outcome; failed trials and damaged files are left out.
 
         Raises CaseError where an outcome is not an ordinary file.
         """
@@ -79,7 +81,7 @@ class StudyFolder:
         return found
 
     def write(self, name: str, content) -> None:
-        """Writes a text, or JSON of anything else."""
+        """Writes a file of the folder: `content` if it is a text, else its JSON."""
         text = content if isinstance(content, str) else json.dumps(content, indent=1, ensure_ascii=False) + "\n"
         output_folder.write_text(self.folder / name, text)
 
@@ -92,7 +94,7 @@ class StudyFolder:
             raise CaseError(f"another process works in {self.folder}\n  = wait for it, or give another folder") from error
 
     def close(self) -> None:
-        """Lets others work here."""
+        """Releases the folder for other processes."""
         os.close(self._held)
 
     def _remove(self) -> None:
@@ -114,7 +116,7 @@ class StudyFolder:
 
 
 def _former(path) -> dict:
-    """The question of the study that a folder holds; empty where it holds none."""
+    """Reads the question of the study that a folder holds; {} where it holds none. Raises CaseError when it is damaged."""
     remedy = "--overwrite begins anew, or give another folder to --output"
     try:
         found = files.read_json(path, remedy=remedy)
@@ -126,13 +128,13 @@ def _former(path) -> dict:
 
 
 def _require_ordinary(path) -> None:
-    """A link counts as what it is: it leads elsewhere."""
+    """Raises CaseError when a path is not an ordinary file; a link is none, since it leads elsewhere."""
     if not stat.S_ISREG(os.lstat(path).st_mode):
         raise CaseError(f"{path} is not an ordinary file, where ionskin writes one\n  = move it away")
 
 
 def _require_same(former: dict, question: dict, free, folder) -> None:
-    """One line on the differences between two questions."""
+    """Raises CaseError with the first difference between the questions of a former and this study, except in `free` names."""
     question = json.loads(json.dumps(question))
     for name in dict.fromkeys([*former, *question]):
         if name not in free and former.get(name) != question.get(name):

@@ -9,7 +9,8 @@ PACKAGES = {"openturns": "python3-openturns", "scipy": "python3-scipy", "h5py": 
 
 
 def need(module: str, purpose: str):
-    """The module. Raises CaseError with the package to install where it is not there."""
+    """Imports and returns a module; `purpose` names the command that needs it. Raises
+    CaseError, with the package to install, without it."""
     try:
         return importlib.import_module(module)
     except ImportError as error:

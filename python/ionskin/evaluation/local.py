@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Trials on this machine: one process each, side by side."""
+"""Engine that runs trials on this machine, several at once, each in a process."""
 
 import concurrent.futures
 import contextlib
@@ -21,19 +21,24 @@ LAUNCHER = pathlib.Path(__file__).parent.parent / "isolated.py"
 
 
 class LocalEngine:
-    """Runs trials in processes of one thread each, so that their numbers do not depend on how many there are.
+    """Engine that runs trials on this machine, in processes of one thread each, so that results do not depend on their
+    number.
 
-    workers  processes; 0: one for each processor
+    workers  number of processes; 0: one for each processor
     """
 
     def __init__(self, workers: int = 0) -> None:
         self.workers = workers or len(os.sched_getaffinity(0))
 
     def evaluate(self, case, trials, folder, on_result) -> None:
-        """Runs every trial and writes FOLDER/NUMBER.npz of each; a solver that gives up is an outcome too.
+        """Runs every trial and writes its outcome to FOLDER/NUMBER.npz, also where its solver gives up.
 
-        case       the base case of the trials
-        on_result  called in this thread with (trial, Outcome) as each ends; what it raises stops the others
+        case       not used: every trial has its own case
+        trials     list of Trial
+        folder     folder of the outcomes
+        on_result  called in this thread with (trial, Outcome) as each trial ends; an exception that it raises stops the others
+
+        Raises CaseError for a case with mistakes.
         """
         del case  # every trial holds its own
         free: queue.SimpleQueue = queue.SimpleQueue()
@@ -62,19 +67,19 @@ class LocalEngine:
 
 
 def task_of(trial) -> dict:
-    """Description of a trial for a TrialProcess."""
+    """Task of a TrialProcess for a trial: a dict with the text, path and edits of its case, and the build of ionskin."""
     return {"text": trial.case._original, "path": os.path.abspath(trial.case._path), "edits": trial.case._edits | NO_ERRORS,
             "build": solver.load().build()}
 
 
 class TrialProcess:
-    """A process that runs one trial after another; started again when it died."""
+    """Process that runs one trial after another. It is started with the first trial, and again when it was killed."""
 
     def __init__(self) -> None:
         self._process, self._stopped = None, False
 
     def run(self, task: dict, path) -> Outcome:
-        """Writes the outcome of a task and returns it. Raises CaseError."""
+        """Runs a task, writes its outcome to `path` and returns it. Raises CaseError for a case with mistakes."""
         with tempfile.TemporaryDirectory(prefix="ionskin-trial-", ignore_cleanup_errors=True) as scratch:
             line = json.dumps(task | {"scratch": scratch, "file": os.fspath(path)})
             for _ in range(2):  # a killed process is not a fault of the trial
@@ -89,7 +94,7 @@ class TrialProcess:
         return lost
 
     def _ask(self, line: str) -> str:
-        """The worker's answer; "" where it ended without one."""
+        """Sends a line to the process and returns its answer; "" when it ended without one."""
         if self._stopped:
             return ""
         if self._process is None or self._process.poll() is not None:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""One evaluation of a case, and its outcome."""
+"""Trial of a study (one run of its case with other values), and its outcome."""
 
 import contextlib
 import difflib
@@ -22,11 +22,11 @@ LARGEST_NUMBER = 1e30  # in SI units; squares of larger ones, and single precisi
 
 
 class Trial(NamedTuple):
-    """A trial that is asked for.
+    """Trial of a study: one evaluation that the study asks for.
 
-    number  place in the design, from 0
-    values  SI number by key
-    case    the case with these values; None where the study has no case
+    number  number of the trial, from 0
+    values  dict of key to its value in SI units
+    case    Case with these values; None where the study has no case
     """
 
     number: int
@@ -36,7 +36,7 @@ class Trial(NamedTuple):
 
 @contextlib.contextmanager
 def _pending(path: pathlib.Path):
-    """A file that appears under its name when it is whole."""
+    """Context that yields a file to write; at its end the file gets the name `path`, whole."""
     pending = path.with_name(f"{path.name}.{os.getpid()}.pending")
     with open(pending, "wb") as file:
         yield file
@@ -46,11 +46,13 @@ def _pending(path: pathlib.Path):
 
 
 class Outcome:
-    """The outcome of a trial.
+    """Outcome of a trial: its metrics and signals, or the reason why it failed.
 
-    reason   why there is no result; "" for a finished one
-    metrics  SI number by name; units likewise
-    columns  array [rows] by "signals/NAME", "sampled/NAME" or "sampled_taxels/NAME"; empty where the trial gave numbers alone
+    metrics  dict of metric name to value in SI units
+    units    dict of the names of metrics and columns to SI units; {} where the caller gave only numbers
+    columns  dict of "signals/NAME", "sampled/NAME" or "sampled_taxels/NAME" to array [rows]; {} where the caller gave only
+             numbers
+    reason   why the trial failed; "" for a finished trial
     """
 
     def __init__(self, metrics: dict, units: dict, columns: dict | None = None, reason: str = "") -> None:
@@ -58,8 +60,11 @@ class Outcome:
 
     @classmethod
     def of(cls, result: Any) -> "Outcome":
-        """Outcome made of the Results of a run, of numbers by name of a metric, or of the exception that a run ended
-        with."""
+        """Makes an outcome of the Results of a run, a dict of metric name to number, or the exception with which a run
+        ended.
+
+        Raises CaseError for anything else.
+        """
         if isinstance(result, Outcome):
             return result
         if isinstance(result, Exception):
@@ -77,7 +82,7 @@ class Outcome:
         raise CaseError(f"a result is the Results of a run, numbers by name, or an exception; not {type(result).__name__}")
 
     def require(self, names) -> None:
-        """Raises CaseError for a name that is not a metric of a finished run."""
+        """Requires that a finished outcome has all metrics in `names`. Raises CaseError for a name that it lacks."""
         for name in () if self.reason else names:
             if name not in self.metrics:
                 near = difflib.get_close_matches(name, self.metrics, n=1)
@@ -85,20 +90,20 @@ class Outcome:
                 raise CaseError(f"{name} is not a metric of these runs\n  = {remedy}known: {', '.join(self.metrics)}")
 
     def write(self, path: pathlib.Path) -> None:
-        """Writes one file, which appears when it is whole."""
+        """Writes the outcome into one file (.npz), which appears when it is whole."""
         head = json.dumps({"metrics": self.metrics, "units": self.units, "reason": self.reason})
         with _pending(path) as file:
             numpy.savez_compressed(file, head=numpy.array(head), **self.columns)
 
     @staticmethod
     def keep(content: bytes, path: pathlib.Path) -> None:
-        """Writes the file that another machine wrote."""
+        """Writes the bytes of an outcome's file that another machine made."""
         with _pending(path) as file:
             file.write(content)
 
     @classmethod
     def read(cls, path: pathlib.Path) -> "Outcome | None":
-        """Outcome read from a file; None where it is damaged, so that the trial is run again."""
+        """Reads an outcome from a file; None when it is missing or damaged, so that the trial is run again."""
         try:
             with files.open_ordinary(path, LARGEST) as content:
                 with zipfile.ZipFile(content) as archive:
@@ -114,11 +119,11 @@ class Outcome:
 
     @classmethod
     def read_back(cls, path: pathlib.Path) -> "Outcome":
-        """Outcome that a run has just written: a failure where it is damaged."""
+        """Reads an outcome that was just written; a damaged file becomes an outcome that says so as its reason."""
         return cls.read(path) or cls({}, {}, reason="what it wrote cannot be read back: is the disk full?")
 
     def _is_sound(self) -> bool:
-        """True where the outcome has the shape that `of` gives it, and finite numbers."""
+        """True if the outcome has the types and shapes that `of` gives it, and numbers of reasonable size."""
         metrics, units, columns = self.metrics, self.units, self.columns
         if not (isinstance(metrics, dict) and isinstance(units, dict) and isinstance(self.reason, str)):
             return False

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The process of a local engine: takes tasks as lines of JSON, answers "done" or what is wrong with the case."""
+"""Process of a TrialProcess: takes tasks as lines of JSON on standard input, and answers "done" or the mistake of the case."""
 
 import json
 import os
@@ -14,14 +14,14 @@ from ionskin.evaluation.trial import Outcome
 
 
 def end_with(parent: int) -> None:
-    """Ends this process when the one that started it is gone, however that ended."""
+    """Ends this process when the process `parent` that started it has ended, for whatever reason."""
     while os.getppid() == parent:
         time.sleep(0.5)
     os._exit(1)
 
 
 def run(task: dict) -> str:
-    """Runs one case and writes its outcome."""
+    """Runs the case of a task and writes its outcome; returns "done", or the message of a mistake of the case."""
     if task["build"] != solver.load().build():
         return "a worker has another build of ionskin, whose numbers differ\n  = start it from the same build"
     case = ionskin.Case(task["text"], task["path"])
@@ -37,7 +37,7 @@ def run(task: dict) -> str:
 
 
 def main() -> None:
-    """Command line: the process number of the parent."""
+    """Answers tasks until standard input ends; its one argument is the process number of the parent."""
     threading.Thread(target=end_with, args=(int(sys.argv[1]),), daemon=True).start()
     answers = os.fdopen(os.dup(1), "w")
     os.dup2(2, 1)  # nothing else gets among the answers

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Training data: many random touches of one case in one store."""
+"""Training data: signals and labels of many random touches of one case, in one HDF5 file."""
 
 from .touches import Touches
 

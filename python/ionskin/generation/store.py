@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""One HDF5 store of all touches. Written in their order, without times, so that equal touches make equal bytes."""
+"""HDF5 file of all touches, written in their order and without dates, so that equal touches make equal bytes."""
 
 import os
 import pathlib
@@ -21,13 +21,17 @@ TOUCHING = 1e-9  # of the largest normal force
 
 
 def taxel_signals(outcome: Outcome):
-    """Names of the readings of taxels, one kind after the other."""
+    """Names of the readings of taxels in an outcome, one kind after another."""
     names = [name.removeprefix("sampled_taxels/") for name in outcome.columns if name.startswith("sampled_taxels/")]
     return tuple(name for kind in OF_TAXELS for name in names if name.startswith(kind))
 
 
 def tables(outcome: Outcome, rate: float):
-    """Time, signals [row, channel] and labels [row, label] at a steady rate; rows of the readout itself where it has them."""
+    """Samples an outcome at a rate [1/s]: time [row] [s], signals [row, channel], labels [row, label]; NaN where it
+    lacks a column.
+
+    Readings come from the sampled tables where these have them, labels from the time steps of the solver.
+    """
     columns = outcome.columns
     clock = columns["sampled/time"]
     time = numpy.arange(1, int(numpy.floor(clock[-1] * rate + 1e-6)) + 1) / rate
@@ -63,7 +67,7 @@ def unit_of(name):
 
 
 def finished(touches, points: pathlib.Path):
-    """Outcomes of the touches that have a solution, in their order."""
+    """Yields the outcomes of the touches that have a solution, in their order; `points` is the folder of outcomes."""
     for trial in touches.trials:
         outcome = Outcome.read(points / f"{trial.number:06}.npz")
         if outcome is not None and not outcome.reason:
@@ -71,7 +75,14 @@ def finished(touches, points: pathlib.Path):
 
 
 def write(path: pathlib.Path, touches, points: pathlib.Path, provenance: dict) -> int:
-    """Writes the store of every touch whose outcome stands in `points`; returns its bytes."""
+    """Writes the HDF5 file of all touches and returns its size [bytes].
+
+    touches     Touches
+    points      folder of their outcomes
+    provenance  dict of texts and numbers that become attributes of the file
+
+    Raises CaseError without h5py.
+    """
     h5py = need("h5py", "ionskin generate")
     from .touches import RATE
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Random touches: the keys that vary, and the values of each touch."""
+"""Random touches of a case: the keys that vary, and their values in each touch."""
 
 import numpy
 
@@ -22,7 +22,7 @@ FRICTION = "contact.friction", "uniform(0.1, 0.6)"
 
 
 def usual(case: Case) -> dict[str, str]:
-    """Distributions for the keys of the finger and its motion, about the case's own values."""
+    """Usual distributions of the keys of a finger and its motion about the case's own values, as a dict of key to text."""
     found = {}
     for key, (low, high) in USUAL.items():
         if key in case and isinstance(case[key], float) and case[key] > 0:
@@ -35,13 +35,16 @@ def usual(case: Case) -> dict[str, str]:
 
 
 class Touches:
-    """The touches of a case.
+    """Random touches of a case, as trials to run.
 
-    vary   distribution by key, as for Uncertainty; what it does not name varies as `usual` says
-    trials with the case of each: the numbers of touch i follow from the seed and i alone
-    redrawn  how many draws made no valid case, and were drawn again
+    case     the case; its readout is set to 1000 samples a second
+    count    number of touches
+    seed     seed of the random values
+    vary     distributions, as for Uncertainty; keys that it does not name vary as `usual` says
+    trials   list of Trial; the values of touch i depend only on the seed and i
+    redrawn  number of draws that made no valid case and were repeated
 
-    Raises CaseError where a touch finds no valid case.
+    Raises CaseError when an argument is wrong or a touch finds no valid case.
     """
 
     def __init__(self, case: Case, count: int, *, seed: int = 1, vary=()) -> None:

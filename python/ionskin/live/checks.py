@@ -7,7 +7,12 @@ HEIGHT, FORCE = 0, 1
 
 
 def finite(name: str, values, shape: tuple) -> numpy.ndarray:
-    """Doubles of a shape. ValueError: they are none, or not finite."""
+    """Converts values to an array of doubles of a shape.
+
+    name  name of the argument in messages
+
+    Raises ValueError for anything but numbers, for another shape, NaN and infinity.
+    """
     try:
         array = numpy.asarray(values, dtype=float, order="C")
     except (TypeError, ValueError) as wrong:
@@ -20,7 +25,12 @@ def finite(name: str, values, shape: tuple) -> numpy.ndarray:
 
 
 def one_load(height, force, plural: str) -> tuple[int, object]:
-    """The kind of load that is given, height or force, and its value. TypeError: both or neither."""
+    """Load of a step: (HEIGHT, height) or (FORCE, force), whichever is not None.
+
+    plural  ending of the arguments' names in messages, "" or "s"
+
+    Raises TypeError when both or neither are given.
+    """
     if (height is None) == (force is None):
         raise TypeError(f"give either height{plural} or force{plural}, " +
                         ("not both" if height is not None else "one of both is missing"))

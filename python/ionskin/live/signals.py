@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Signals of a live skin, their errors and the range that it was trained for."""
+"""Signals of a reduced-order skin, the errors of these signals, and the range for which the skin was trained."""
 
 import dataclasses
 from collections.abc import Mapping
@@ -11,7 +11,12 @@ OUTSIDE_PLACE, OUTSIDE_LOAD, OUTSIDE_SPEED, UNCONVERGED, REFUSED, PULLED, OUTSID
 
 @dataclasses.dataclass(frozen=True)
 class SignalError:
-    """Error of a signal on touches that the skin was not trained on, and the signal's largest value, in its unit."""
+    """Error of a signal against the full model, on touches on which the skin was not trained; all in the signal's SI unit.
+
+    rms      root mean square of the error
+    worst    largest error
+    largest  largest magnitude of the signal itself
+    """
 
     rms: float
     worst: float
@@ -19,13 +24,21 @@ class SignalError:
 
 
 class LiveSkinWarning(UserWarning):
-    """A live skin states errors that are larger than promised."""
+    """Warning that the reported errors of a reduced-order skin are larger than ionskin promises."""
 
 
 @dataclasses.dataclass(frozen=True)
 class Range:
-    """Range that the skin was trained for: places of the slider's centre [m], force [N], indentation [m], speed [m/s],
-    lowest and highest coefficient of friction, tilt [rad], turn about z [rad/s]."""
+    """Range for which a reduced-order skin was trained.
+
+    lowest, highest  corners (x, y) of the rectangle of positions of the slider's centre [m]
+    force            largest normal force [N]
+    indentation      largest indentation [m]
+    speed            largest speed along the skin [m/s]
+    friction         lowest and highest coefficient of friction [1]
+    tilt             largest tilt of the slider [rad]
+    turn             largest rate of turn about z [rad/s]
+    """
 
     lowest: tuple[float, float]
     highest: tuple[float, float]
@@ -38,8 +51,19 @@ class Range:
 
 
 class Signals(Mapping):
-    """Signals by name, SI units. `flags` is 0 where all is well, else the sum of OUTSIDE_PLACE, OUTSIDE_LOAD,
-    OUTSIDE_SPEED, UNCONVERGED, PULLED, OUTSIDE_POSE and, of `Fingers`, TOO_NEAR; of `Skin.run` an array."""
+    """Signals of one or several steps of a reduced-order skin, by name, in SI units.
+
+    `signals["normal_force"]` is a number after `Skin.step`, an array [step] after `Skin.run`, [environment] after `Skins.step`.
+    `flags`, a number or an array alike, is 0 for a valid step, else the sum of:
+
+    OUTSIDE_PLACE, OUTSIDE_LOAD, OUTSIDE_POSE  position, load or tilt was outside the trained range, and set to the nearest
+                                               trained value
+    OUTSIDE_SPEED  the slider moved or turned faster than trained
+    UNCONVERGED    the contact solver ended with a residual above 1e-3
+    PULLED         the force was negative, and the slider detached
+    TOO_NEAR       (`Fingers`) two sliders that touch come so close that one moves the skin under the other
+    REFUSED        (`Skins.step`) an input was not finite or the time went back, and the environment did not move
+    """
 
     def __init__(self, columns: dict[str, int], values: numpy.ndarray, flags) -> None:
         self._columns, self._values, self.flags = columns, values, flags
@@ -56,13 +80,14 @@ class Signals(Mapping):
 
     @property
     def array(self) -> numpy.ndarray:
-        """All signals, of which the last axis is that of the names."""
+        """All signals as an array [..., signal], with the signals in the order of the names."""
         return self._values
 
     @property
     def outside(self):
-        """True where a step lies outside the trained range, in place, load, speed or pose, or fingers are too near."""
-        return (self.flags & (OUTSIDE_PLACE | OUTSIDE_LOAD | OUTSIDE_SPEED | OUTSIDE_POSE | TOO_NEAR)) != 0
+        """True where a step was outside the trained range of position, load, speed or
+        pose; a boolean, or an array like `flags`."""
+        return (self.flags & (OUTSIDE_PLACE | OUTSIDE_LOAD | OUTSIDE_SPEED | OUTSIDE_POSE)) != 0
 
     def __repr__(self) -> str:
         return f"Signals({', '.join(f'{name}={self[name]!r}' for name in self)})"

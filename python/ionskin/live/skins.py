@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Many reduced skins, stepped together: the environments of a learner."""
+"""Many reduced-order skins that are stepped together, as the environments of a reinforcement learner."""
 
 import ctypes
 import os
@@ -18,14 +18,20 @@ _BLOCK = 64  # environments that a thread takes at a time
 
 
 class Skins:
-    """A number of environments, each a skin of its own with a state, a friction and a noise of its own. What one does depends
-    neither on the others nor on the number of threads.
+    """Batch of reduced-order skins of one file that are stepped together, each with its own state, friction and noise.
 
-    skin     a Skin, whose state and friction all take, or the path of a file
-    signals  names of those that are returned; all without it
-    dtype    of positions, loads and signals: float32 or float64; times are float64
-    threads  that step, one for each processor without it
-    friction, noise, seed  as `set_friction` and `set_noise` take them
+    Each skin is one environment. Its signals depend neither on other environments nor on the number of threads.
+
+    skin          a Skin, whose state and friction every environment starts with, or the path of a skin's file
+    environments  number of environments
+    signals       names of the signals that a step returns; None for all
+    dtype         type of positions, loads and signals: float32 or float64; times are float64
+    threads       number of threads; None: one for each processor
+    friction      coefficient or coefficients, as `set_friction` takes them; None for the skin's own
+    noise, seed   standard deviation of the noise of currents [A] and seed, as `set_noise` takes them
+
+    Raises ValueError for arguments that cannot be used, MemoryError when memory does not suffice, and CaseError when the file
+    cannot be read.
     """
 
     def __init__(self, skin: Skin | str | os.PathLike, environments: int, *, signals: Sequence[str] | None = None,
@@ -62,29 +68,36 @@ class Skins:
 
     @property
     def names(self) -> tuple[str, ...]:
-        """Names of the signals that a step returns, in their order."""
+        """Names of the signals that a step returns, in the order of `Signals.array`."""
         return self._names
 
     @property
     def skin(self) -> Skin:
-        """A skin of the same file: its range, taxels and errors."""
+        """Skin of the same file, which has its trained range, taxels and errors; stepping it does not move the environments."""
         return self._skin
 
     def step(self, times, positions, *, heights=None, forces=None, angles=None, out: numpy.ndarray | None = None,
              stiffness: numpy.ndarray | None = None) -> Signals:
-        """The signals of all environments, of which `array` is [environment, signal]. Of an environment whose numbers are not
-        finite or whose time goes back nothing moves: REFUSED, with the signals of its step before.
+        """Steps all environments to their next times and returns the Signals, whose `array` is [environment, signal].
 
-        times      one [s], or [environment]
-        positions  [environment, 2] of the slider's centre [m]
-        heights, forces  one of both [environment] [m], [N], as `Skin.step` takes them
-        angles     [environment, 3] roll, pitch and yaw [rad]; upright without it
-        stiffness  takes the derivatives that `Skin.stiffness` tells: [environment, 6, 6], float64, contiguous; NaN where
-                   there is none
-        out        takes the signals instead of a new array: [environment, signal] of the dtype, contiguous
+        An environment whose inputs are not finite, or whose time goes back, does not move: its flag is REFUSED, and its signals
+        are those of its step before.
 
-        Arrays of numpy, torch or jax in the memory of the processor are read in place where they are contiguous and of the
-        dtype. ValueError: another shape, or anything but an array of numbers."""
+        times      one time for all environments, or an array [environment] [s]
+        positions  array [environment, 2]: x and y of the slider's centre [m]
+        heights    array [environment], or one number: height of the slider's underside above the undeformed top face [m],
+                   negative when it indents
+        forces     array [environment], or one number: normal force [N]; exactly one of heights and forces is given
+        angles     array [environment, 3]: roll, pitch and yaw [rad]; None for an upright slider
+        out        array [environment, signal] of the dtype, contiguous, into which signals are written; None: a new array
+        stiffness  array [environment, 6, 6], float64, contiguous, into which the derivatives of `Skin.stiffness` are written,
+                   NaN where there are none; None to leave them out
+
+        Arrays of numpy, torch or jax that are contiguous, of the dtype and in the processor's memory are read without a copy.
+
+        Raises ValueError for arrays of another shape and for anything but numbers, TypeError when both or neither of heights
+        and forces are given.
+        """
         kind, loads = one_load(heights, forces, "s")
         times = self._array("times", times, (self._count,), numpy.dtype(numpy.float64))
         positions = self._array("positions", positions, (self._count, 2), self._dtype)
@@ -164,18 +177,26 @@ class Skins:
         return chosen
 
     def reset(self, environments=None) -> None:
-        """Back to detached skins at rest; friction and noise stay. All, or those of a mask or of indices."""
+        """Resets environments to a detached slider and a skin at rest. Friction and noise stay.
+
+        environments  mask [environment] of booleans, or indices; None for all
+        """
         for environment in self._chosen(environments):
             self._library.ionskin_live_skins_reset(self._handle, int(environment))
 
     @property
     def friction(self) -> numpy.ndarray:
-        """Coefficients of friction [environment]."""
+        """Coefficients of friction, as an array [environment] [1]."""
         return numpy.array([self._library.ionskin_live_skins_friction(self._handle, i) for i in range(self._count)])
 
     def set_friction(self, coefficients, environments=None) -> None:
-        """One coefficient, or one for each of the environments. ValueError outside the trained range; nothing changes
-        then."""
+        """Sets the coefficient of friction of environments.
+
+        coefficients  one coefficient [1], or one for each of the chosen environments
+        environments  mask or indices, as `reset` takes them; None for all
+
+        Raises ValueError for coefficients outside the trained range, and changes nothing then.
+        """
         chosen = self._chosen(environments)
         values = finite("friction", numpy.broadcast_to(coefficients, chosen.shape), chosen.shape)
         low, high = self._skin.range.friction
@@ -188,8 +209,13 @@ class Skins:
                 raise MemoryError("no memory for another friction")
 
     def set_noise(self, deviations, seed: int = 0) -> None:
-        """White noise on every current, each step: one standard deviation [A], or one for each environment; 0 for none.
-        Charges have none. It begins anew with the seed, which gives each environment a sequence of its own."""
+        """Sets the white noise that each step adds to every current; charges have no noise.
+
+        deviations  standard deviation [A], one for all or one for each environment; 0 for no noise
+        seed        whole number below 2**32, from which each environment gets its own sequence; the sequences begin anew
+
+        Raises ValueError for negative deviations and other seeds.
+        """
         shape = (self._count,)
         deviations = finite("noise", numpy.broadcast_to(deviations, shape), shape)
         if (deviations < 0).any():
@@ -204,7 +230,11 @@ class Skins:
             self._library.ionskin_live_skins_set_noise(self._handle, i, deviation, (self._seed << 32) + i, step)
 
     def save(self, environments=None) -> numpy.ndarray:
-        """States [environment, number], to be restored by skins of the same file."""
+        """Saves the states of environments, as an array [environment, number] that `restore` of skins of the same file
+        takes.
+
+        environments  mask or indices, as `reset` takes them; None for all
+        """
         chosen = self._chosen(environments)
         states = numpy.empty((len(chosen), self._library.ionskin_live_state_size(self._skin._handle)))
         for state, environment in zip(states, chosen.tolist(), strict=True):
@@ -212,8 +242,13 @@ class Skins:
         return states
 
     def restore(self, states, environments=None) -> None:
-        """Takes up states, one for each of the environments; times may go back by it. ValueError when one is of another skin
-        or damaged; the environments before it have taken theirs then."""
+        """Restores saved states; the time of an environment may go back by this.
+
+        states        array [environment, number], as `save` returns it, with one row for each chosen environment
+        environments  mask or indices, as `reset` takes them; None for all
+
+        Raises ValueError when a state is of a skin from another file or damaged; environments before it are restored then.
+        """
         chosen = self._chosen(environments)
         states = numpy.ascontiguousarray(states, dtype=float)
         if states.ndim != 2 or len(states) != len(chosen):
@@ -223,7 +258,7 @@ class Skins:
                 raise ValueError(f"states: that for environment {environment} is of a skin from another file, or damaged")
 
     def copy(self) -> "Skins":
-        """Others in the same states, with the same friction and noise."""
+        """Makes an independent batch with the same states, friction and noise."""
         other = Skins(self._skin, self._count, signals=self._names, dtype=self._dtype, threads=self._threads)
         other.__setstate__({**self.__getstate__(), "made": True})
         return other

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The sentences that a page opens with: the reading of an instrument between the electrodes, with its error."""
+"""Opening sentences of a page: what an instrument between the electrodes reads, with its error."""
 
 import math
 
@@ -14,14 +14,15 @@ NEAR = 0.03  # of the length of a run: an instant so near an event belongs to it
 
 
 def largest(table, name):
-    """Instant [s] and magnitude of the largest entry of a column."""
+    """Instant [s] and magnitude of the entry of a Table's column with the largest magnitude."""
     values = numpy.nan_to_num(numpy.abs(table[name]))
     row = int(values.argmax())
     return float(table["time"][row]), float(values[row])
 
 
 def with_error(results, metric, fallback, unit):
-    """A metric with its stated error, "478 µA (± 0.9 %)"; a number without error where the run has no such metric."""
+    """Text of a metric with its reported error estimate, "478 µA (± 0.9 %)"; of `fallback`
+    in `unit` where the run lacks the metric."""
     found = results.metrics.get(metric)
     if found is None or found.value is None:
         return quantity(fallback, unit, 3)
@@ -30,7 +31,7 @@ def with_error(results, metric, fallback, unit):
 
 
 def event(results, instant):
-    """Words for the event about an instant, " at 0.5 s, as contact begins"."""
+    """Words for an instant [s] and the event near it: " at 0.5 s, as contact begins"."""
     words = f" at {instant:.4g} s"
     spans = contact_spans(results)
     if not spans:
@@ -45,7 +46,7 @@ def event(results, instant):
 
 
 def of_circuit(results):
-    """Reading of a run with a load, an open circuit or an amplifier; None for any other."""
+    """Sentence on the reading of a run with a load, an open circuit or an amplifier; None for other circuits."""
     table = results.circuit
     if table is None:
         return None
@@ -62,8 +63,8 @@ def of_circuit(results):
 
 
 def of_own_taxel(results):
-    """Reading of the instrument at the taxel, or at the crossing or line of a crossbar, with the strongest signal; None
-    unless taxels have circuits of their own."""
+    """Reading of the instrument at the taxel, or at the crossing or line of a crossbar, with the strongest
+    signal; None unless taxels have circuits of their own."""
     if results.sampled_taxels is None or not has_own_circuits(results):
         return None
     prefix, unit, words = (VOLTAGE, "V", "A voltmeter") if has_voltages(results) else ("current_circuit_", "A", "An ammeter")
@@ -77,14 +78,15 @@ def of_own_taxel(results):
 
 
 def taxel_current(results, peak):
-    """The peak current of an instrument, with the stated error of the largest current of a taxel where it is the same."""
+    """Text of an instrument's peak current [A], with the error estimate of the largest
+    taxel current where it is this current."""
     known = results.metrics.get("peak_sampled_taxel_current")
     same = known is not None and known.value is not None and math.isclose(known.value, peak, rel_tol=1e-3)
     return with_error(results, "peak_sampled_taxel_current", peak, "A") if same else quantity(peak, "A", 3)
 
 
 def where(results, name):
-    """Words for the place of the instrument of a taxel, a crossing or a line."""
+    """Words for the position of the instrument of a taxel, or of a crossing or line of a crossbar."""
     if not is_crossbar(results):
         return f"between the taxel {name} and the bottom electrode"
     if name.startswith("r") and "c" in name:
@@ -94,7 +96,7 @@ def where(results, name):
 
 
 def of_current(results):
-    """Reading of an ammeter between the shorted electrodes; None without currents."""
+    """Sentence on the reading of an ammeter between the shorted electrodes; None without currents."""
     sampled = results.sampled
     if not sampled.has("current_difference"):
         return None
@@ -108,7 +110,7 @@ def of_current(results):
 
 
 def of_mechanics(results):
-    """Answer of a run without ions: force and shear."""
+    """Sentence on force and shear, for a run without ions."""
     parts = [f"{words} {with_error(results, name, 0.0, '1')}" for name, words in (
         ("normal_force_slide", "the slider presses with"), ("mean_shear_slide", "the core's mean shear is")) if name in results.metrics]
     text = " and ".join(parts)
@@ -116,7 +118,7 @@ def of_mechanics(results):
 
 
 def of_noise(results):
-    """Sentences on the noise of one reading, its parts, and how far the peak stands above it; none for a run of an older version."""
+    """Sentences on the noise of one reading, its parts, and the ratio of the peak to it; [] for runs of older versions."""
     def metric(name):
         found = results.metrics.get(name)
         return None if found is None else found.value
@@ -134,7 +136,7 @@ def of_noise(results):
 
 
 def sentences(results):
-    """The first says what can be read; those after it what it depends on, or what it leaves out."""
+    """Opening sentences of a run's page: the first says what an instrument reads, further ones on what this depends."""
     first = of_own_taxel(results) or of_circuit(results) or of_current(results) or of_mechanics(results)
     if first is None:
         return ["This run has no currents to read."]
@@ -148,7 +150,7 @@ def sentences(results):
 
 
 def taxels(results):
-    """Sentences on the taxel that moves most charge, and on the share of a signal that another one shows."""
+    """Sentences on the taxel that moves most charge, and on the crosstalk between taxels."""
     if results.taxels is None:
         return []
     crosstalk = results.metrics.get("taxel_crosstalk")
@@ -158,7 +160,7 @@ def taxels(results):
 
 
 def most_charge(results):
-    """Sentence on the taxel that moves most charge; nothing where none does."""
+    """Sentence on the taxel that moves most charge, in a list; [] where none moves any."""
     moved = {name.removeprefix("charge_top_"): largest(results.taxels, name)[1] for name in results.taxels if name.startswith("charge_top_")}
     moved.pop("rest", None)  # of the electrode, between the taxels
     if not moved or not max(moved.values()):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The charts of a page as the data that its script, chart_cells.js, draws."""
+"""Conversion of charts to the JSON data that the script of a page, chart_cells.js, draws."""
 
 import base64
 import struct
@@ -17,12 +17,12 @@ DIGITS_ALONG = 9  # of where: events last a millionth of a run
 
 
 def colour(name):
-    """A colour as a style of the page, which follows light and dark."""
+    """CSS value of a colour, which follows the page's light or dark theme."""
     return f"var(--{THEMED_COLOURS[name]})" if name in THEMED_COLOURS else name
 
 
 def rounded(values, digits=DIGITS):
-    """Numbers short enough for the page; None where there is none."""
+    """Rounds values to some significant digits, as a list for JSON; None for NaN and infinity."""
     values = numpy.asarray(values, float)
     with numpy.errstate(divide="ignore", invalid="ignore"):
         power = 10.0 ** numpy.clip(digits - 1 - numpy.floor(numpy.log10(numpy.abs(values))), -300, 300)
@@ -31,7 +31,7 @@ def rounded(values, digits=DIGITS):
 
 
 def kept_rows(curve):
-    """Rows that a page draws of a curve: all, or the extremes of y within groups of rows, and both ends."""
+    """Indices of the rows of a curve that a page draws: all, or for long curves the extremes of y within groups of rows."""
     count = len(curve.y)
     if count <= MOST_POINTS:
         return numpy.arange(count)
@@ -42,22 +42,23 @@ def kept_rows(curve):
 
 
 class Arrays:
-    """Numbers of the page, each series once."""
+    """Arrays of numbers of a page, each stored once; charts refer to them by index."""
 
     def __init__(self):
         self.series, self.places = [], {}
 
     def place(self, values, rows, digits=DIGITS):
-        """The place of a series."""
-        key = (values.tobytes(), len(rows), digits)
+        """Index of the chosen rows of an array, which is added if it is new."""
+        chosen = values[rows]
+        key = (chosen.tobytes(), digits)
         if key not in self.places:
             self.places[key] = len(self.series)
-            self.series.append(rounded(values[rows], digits))
+            self.series.append(rounded(chosen, digits))
         return self.places[key]
 
 
 def curve_data(curve, arrays):
-    """A curve by the places of its numbers."""
+    """Data of a Curve, with the indices of its numbers in `arrays`."""
     rows = kept_rows(curve)
     data = {"x": arrays.place(curve.x, rows, DIGITS_ALONG), "y": arrays.place(curve.y, rows), "colour": colour(curve.colour),
             "label": curve.label, "step": curve.step, "width": curve.width, "look": curve.look, "marks": curve.marks}
@@ -67,12 +68,12 @@ def curve_data(curve, arrays):
 
 
 def palette_of(drawn):
-    """The colours of a map in the order of its values."""
+    """Colours of a Map in the order of its values."""
     return list(drawn.classes.values()) if drawn.classes else [mixed(drawn.palette, place / (SHADES - 1)) for place in range(SHADES)]
 
 
 def pixels(drawn):
-    """Values of a map on equal pixels, the upper row first."""
+    """Resamples a Map on equal pixels, as an array with the upper row first."""
     if drawn.smooth:
         x, y = (numpy.linspace(ends[0], ends[-1], count) for ends, count in ((drawn.x, MOST_PIXELS), (drawn.y, MOST_PIXELS // 4)))
         rows = numpy.array([numpy.interp(x, drawn.x, row) for row in drawn.values])
@@ -86,7 +87,7 @@ def pixels(drawn):
 
 
 def picture(drawn):
-    """A map as the address of a PNG with a palette; transparent where there is no value."""
+    """Data URL of a Map as a PNG picture with a palette; transparent where there is no value."""
     values, colours = pixels(drawn), palette_of(drawn)
     with numpy.errstate(invalid="ignore"):
         places = numpy.clip(numpy.rint((values - drawn.low) / (drawn.high - drawn.low) * (len(colours) - 1)), 0, len(colours) - 1)
@@ -103,7 +104,7 @@ def picture(drawn):
 
 
 def map_data(drawn):
-    """A map with the bar or the legend beside it."""
+    """Data of a Map with its colour bar or legend."""
     data = {"low": drawn.low, "high": drawn.high, "name": drawn.name, "unit": drawn.unit, "beyond": drawn.beyond, "smooth": drawn.smooth,
             "bar": PALETTES[drawn.palette][::-1], "classes": drawn.classes, "ticks": drawn.ticks,
             "lines": [rounded(line.ravel()) for line in drawn.lines]}
@@ -114,7 +115,7 @@ def map_data(drawn):
 
 
 def cell_data(cell, arrays):
-    """One pair of axes."""
+    """Data of a Cell."""
     data = {"title": cell.title, "x": axis_data(cell.x), "y": axis_data(cell.y), "height": cell.height, "legend": cell.legend,
             "equal": cell.equal, "bare": cell.bare, "curves": [curve_data(curve, arrays) for curve in cell.curves],
             "spans": [{**span._asdict(), "colour": colour(span.colour)} for span in cell.spans],
@@ -128,12 +129,12 @@ def cell_data(cell, arrays):
 
 
 def axis_data(axis):
-    """An axis with plain numbers."""
+    """Data of an Axis."""
     return {name: float(value) if isinstance(value, (float, numpy.number)) else value for name, value in axis._asdict().items()}
 
 
 def chart_data(charts):
-    """All charts of a page, by name: {"arrays": series, "charts": ...}. charts: Chart by name"""
+    """Data of all charts of a page, {"arrays": [...], "charts": {name: ...}}; `charts` is a dict of name to Chart."""
     arrays = Arrays()
     found = {name: {"widths": chart.widths, "narrow": chart.narrow,
                     "rows": [[cell_data(cell, arrays) for cell in row] for row in chart.rows]} for name, chart in charts.items()}

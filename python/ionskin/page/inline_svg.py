@@ -7,7 +7,7 @@ from ..charts.colours import THEMED_COLOURS
 
 
 def inline_svg(svg, name):
-    """The SVG element of a figure, fit to stand in a page: scalable, themed, with ids of its own."""
+    """Makes an SVG file's text an element of a page: scalable, in the page's theme, with ids that begin with `name`."""
     body = svg[svg.index("<svg"):]
     body = re.sub(r"<metadata>.*?</metadata>", "", body, flags=re.S)
     body = re.sub(r'(<svg[^>]*?) width="[^"]*"', r"\1", body, count=1)
@@ -20,6 +20,6 @@ def inline_svg(svg, name):
 
 
 def white_background(svg):
-    """An SVG with a white rectangle behind it."""
+    """Adds a white rectangle behind the drawing of an SVG text."""
     start = svg.index(">", svg.index("<svg")) + 1
     return f'{svg[:start]}\n <rect width="100%" height="100%" fill="white"/>{svg[start:]}'

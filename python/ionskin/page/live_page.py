@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The page that plays a trajectory through a live skin: offline, with data and script inside."""
+"""HTML page that plays a trajectory on a reduced-order skin, without a network: data and script are in the page."""
 
 import pathlib
 import tomllib
@@ -20,12 +20,16 @@ KEYS = "Space plays and pauses, the arrow keys step, Home and End go to the ends
 
 
 def rounded(values):
-    """Numbers short enough for the page."""
+    """Rounds values to the digits that the page needs, as a list."""
     return [float(f"{value:.{DIGITS}g}") for value in values]
 
 
 def mean_current(times, charge, window):
-    """Means over a window that ends at each time [A], since the first time where that is less; 0 at the first."""
+    """Mean currents [A] over the window [s] that ends at each time, or since the first time where that is shorter; 0 at
+    the first.
+
+    times, charge  arrays [step] [s], [C]
+    """
     begins = numpy.maximum(times - window, times[0])
     lengths = times - begins
     return numpy.divide(charge - numpy.interp(begins, times, charge), lengths, out=numpy.zeros_like(times),
@@ -33,7 +37,7 @@ def mean_current(times, charge, window):
 
 
 def sample_interval(case):
-    """Sampling interval of the case's instrument [s]; 0 where it gives none that is known."""
+    """Sampling interval of the readout in a case (nested dict) [s]; 0 where it is missing or has an unknown unit."""
     try:
         return si(case.get("readout", {}).get("sample_interval", "0 s"))
     except ValueError:  # another unit
@@ -41,7 +45,7 @@ def sample_interval(case):
 
 
 def footprint(case):
-    """Length and width of a flat slider [m]; None of another, whose contact changes its size."""
+    """Length and width of a flat slider in a case (nested dict) [m]; None for other shapes, whose contact changes its size."""
     slider = case.get("slider", {})
     if slider.get("shape", "flat") != "flat" or "size" not in slider:
         return None
@@ -52,7 +56,7 @@ def footprint(case):
 
 
 def data(skin, times, signals):
-    """Everything the script draws, at no more than MOST_FRAMES times."""
+    """Data of the page's script for the Signals of a Skin at `times` [s], at no more than MOST_FRAMES of them."""
     frames = numpy.unique(numpy.linspace(0, len(times) - 1, min(MOST_FRAMES, len(times))).round().astype(int))
     time, case = times[frames], tomllib.loads(skin.case)
     window = max(sample_interval(case), (times[-1] - times[0]) / max(1, len(frames) - 1))
@@ -86,7 +90,7 @@ def data(skin, times, signals):
 
 
 def write(path, skin, times, signals):
-    """Writes the page. ValueError where there is no step to show."""
+    """Writes the page for the Signals of a Skin at `times` [s] and returns its path. Raises ValueError without any step."""
     if len(times) == 0:
         raise ValueError("times: there is no step to play")
     content = data(skin, times, signals)

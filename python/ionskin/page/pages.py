@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Report pages from the templates beside this file. Whatever comes from a case or a file is escaped by them."""
+"""HTML report pages, made from the templates beside this file, which escape all text that comes from a case or a file."""
 
 import functools
 import json
@@ -15,7 +15,7 @@ FOLDER = pathlib.Path(__file__).parent
 
 
 class Section(NamedTuple):
-    """One section of a page: `part` names the macro of templates/parts.html that draws `data`."""
+    """Section of a page; `part` is the name of the macro of templates/parts.html that shows `data`, which None leaves out."""
 
     identifier: str
     heading: str
@@ -24,7 +24,7 @@ class Section(NamedTuple):
 
 
 class Table(NamedTuple):
-    """Rows of texts under a head; columns of numbers, by index, are aligned to the right."""
+    """Table of a page: rows of texts under a head; `numbers` are the indices of columns that are aligned to the right."""
 
     head: tuple
     rows: list
@@ -32,7 +32,7 @@ class Table(NamedTuple):
 
 
 class Picture(NamedTuple):
-    """A figure of a page; `image` is an SVG element or the address of a picture."""
+    """Figure of a page; `image` is an SVG element, the URL of a picture, or None where the page's script draws it."""
 
     identifier: str
     heading: str
@@ -42,7 +42,7 @@ class Picture(NamedTuple):
 
 @functools.cache
 def environment():
-    """The templates, every value in them escaped."""
+    """jinja2 environment of the templates, in which every value is escaped."""
     import jinja2  # half of the figures' users never make a page
 
     return jinja2.Environment(loader=jinja2.FileSystemLoader(FOLDER / "templates"), autoescape=True, trim_blocks=True,
@@ -50,15 +50,21 @@ def environment():
 
 
 def shown(value):
-    """A value as a page shows it: a page may be given away, and folders tell of a user's machine."""
+    """Prepares a value for a page: removes folders from texts, since a page may be given
+    away and folders tell of a user's machine."""
     if not isinstance(value, str) or isinstance(value, Markup) or value.startswith("data:"):
         return value
     return without_folders(value)
 
 
 def page(title, subtitle, sections, *, cards=(), script=None, answer=None):
-    """The whole page as text; it stands alone, without any network. Sections without data are left out. answer: (sentences,
-    Picture or None) before all others"""
+    """Makes the HTML text of a whole page, which needs no network.
+
+    sections  list of Section; those without data are left out
+    cards     headline numbers, as of `report_text.headline`
+    script    text of the page's script; None for none
+    answer    (sentences, Picture or None) above all sections; None for none
+    """
     style = (FOLDER / "report.css").read_text(encoding="utf-8")
     return environment().get_template("page.html").render(
         title=title, subtitle=subtitle, cards=cards, answer=answer, sections=[section for section in sections if section.data],
@@ -66,8 +72,10 @@ def page(title, subtitle, sections, *, cards=(), script=None, answer=None):
 
 
 def chart_script(scripts):
-    """The script that draws all charts, and the scripts of a page behind it. scripts: {constant: (file of this folder,
-    data)}; a script finds its data, which JSON can hold, in the constant"""
+    """Text of the script that draws charts, followed by the scripts of a page.
+
+    scripts  dict of constant to (name of a script file in this folder, data); the script finds its data in the constant
+    """
     texts = [(FOLDER / "charts.js").read_text(encoding="utf-8")]
     for constant, (name, data) in scripts.items():
         payload = json.dumps(data, separators=(",", ":"), ensure_ascii=False).replace("<", "\\u003c")
@@ -76,6 +84,6 @@ def chart_script(scripts):
 
 
 def write_page(path, text):
-    """Writes a page so that readers see the old one or the whole new one."""
+    """Writes the text of a page into a file, whole or not at all, and returns the path."""
     output_folder.write_text(path, text)
     return path

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Names of metrics as a reader sees them, and the meaning of their words."""
+"""Names of metrics and columns in words, and a glossary of these words."""
 
 import re
 
@@ -79,12 +79,12 @@ GLOSSARY = [
 
 
 def words(name):
-    """The name of a metric in words; one that is not known here keeps its own."""
+    """Name of a metric in words; the name itself for an unknown metric."""
     return known_words(name) or name.replace("_", " ").capitalize()
 
 
 def known_words(name):
-    """The name of a metric in words, or "" for a metric that is not known here."""
+    """Name of a metric in words; "" for an unknown metric."""
     if (found := OF_SLIDER.fullmatch(name)) is not None and (own := known_words(found[1])):
         return f"{own}, slider {found[2]}"
     if (found := CURRENT.fullmatch(name)) is not None:
@@ -103,7 +103,7 @@ def known_words(name):
 
 
 def in_words(text):
-    """A sentence of the program with the names of metrics in words: "mean_shear_slide (30 %)" is "mean shear, mid-slide (30 %)"."""
+    """Replaces names of metrics in a sentence by words: "mean_shear_slide (30 %)" becomes "mean shear, mid-slide (30 %)"."""
     def word(found):
         known = known_words(found[0])
         return known[:1].lower() + known[1:] if known else found[0]
@@ -112,7 +112,7 @@ def in_words(text):
 
 
 def column_words(table, name):
-    """The name of a column of a table of signals in words; one that is not known here keeps its own."""
+    """Name of a column of a table of signals in words; the name itself for an unknown column."""
     if name.startswith("current_") and name.removeprefix("current_") in SIDES:
         side = SIDES[name.removeprefix("current_")]
         return f"Sampled {side}" if table == "sampled" else side.capitalize()
@@ -122,17 +122,17 @@ def column_words(table, name):
 
 
 def is_share(name):
-    """True for numbers that a reader wants in percent."""
+    """True if a metric is shown in percent."""
     found = OF_SLIDER.fullmatch(name)
     return (found[1] if found else name).removesuffix("_touchdown").removesuffix("_slide") in SHARES
 
 
 def explained_by(name):
-    """The identifier of the word of the glossary that a metric's name asks for, or "" for none."""
+    """Identifier of the glossary's entry that explains a metric's name; "" for none."""
     return next((identifier for identifier, asks, *_ in GLOSSARY if re.search(asks, name)), "")
 
 
 def glossary(names):
-    """Rows of identifier, word and meaning that metrics ask for."""
+    """Entries of the glossary for some metrics, as rows of identifier, word and meaning."""
     asked = {explained_by(name) for name in names}
     return [(identifier, heading, meaning) for identifier, _, heading, meaning in GLOSSARY if identifier in asked]

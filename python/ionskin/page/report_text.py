@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The words and numbers of the report, taken from the results."""
+"""Words and numbers of the report of a run, taken from its Results."""
 
 from ..analysis.derived import common_is_noise
 from ..charts.readout import is_open, passes_nothing
@@ -56,7 +56,7 @@ LAW_LIMITS = {
 
 
 def headline(results):
-    """Label, value and error of the numbers at the top of the page and on the terminal, by name."""
+    """Headline numbers of the page and the terminal: dict of metric name to label, value and error."""
     noise = {"rms_current_common"} if "current_common" in results.sampled and common_is_noise(results) else set()
     names = HEADLINE_OPEN if is_open(results) else HEADLINE
     return {name: (quantities.words(name), value(results, name), error(results, name)) for name in names
@@ -64,7 +64,7 @@ def headline(results):
 
 
 def value(results, name):
-    """A metric with its unit, to the digits that a reader wants."""
+    """Text of a metric with its unit, rounded for reading."""
     number, unit = results.metrics[name]
     if number is not None and quantities.is_share(name):
         return percent(number)
@@ -72,7 +72,7 @@ def value(results, name):
 
 
 def error(results, name):
-    """The stated error of a metric, "± 2 %", or "" where none is stated."""
+    """Text of a metric's reported error estimate, "± 2 %"; "" where it has none."""
     share = results.summary.get("error_estimate", {}).get(name)
     if share is None or name in results.not_converging:
         return ""
@@ -80,7 +80,7 @@ def error(results, name):
 
 
 def subtitle(results):
-    """One line below the title: simulated time, time of solving, version and date."""
+    """Line below the title of the page: simulated time, time of solving, version and date."""
     program = results.manifest.get("program", {})
     time = results.signals["time"]
     parts = [f"{time[-1] - time[0]:.6g} s simulated"]
@@ -96,7 +96,7 @@ def subtitle(results):
 
 
 def readable(value, between=", "):
-    """A value of the case file as a reader would write it."""
+    """Text of a value of a case file for reading; entries of a list are joined by `between`."""
     if isinstance(value, list) and value and isinstance(value[0], dict):
         return f"{len(value)} in the case file"
     if isinstance(value, list):
@@ -113,13 +113,13 @@ def layers(case):
 
 
 def sheet_resistances(case):
-    """Entries of the layers whose metal has a resistance, top layer first."""
+    """Entries on the layers that have a sheet resistance, top layer first."""
     return [(f"sheet resistance, {layer.get('name', '')}", readable(layer["sheet_resistance"]))
             for layer in reversed(case.get("skin", {}).get("layers", [])) if "sheet_resistance" in layer]
 
 
 def taxels(value):
-    """A grid of taxels by its size, single ones by their number."""
+    """Text of the taxels of a case: a grid by its size, single taxels by their number."""
     if not isinstance(value, dict):
         return str(len(value))
     return f"{value['rows']} rows × {value['columns']} columns" + (" that cross" if value.get("wiring") == "crossbar" else "")
@@ -148,7 +148,8 @@ def case_groups(case, sliders=()):
 
 
 def further_slider(case, further, number):
-    """Groups of a slider beside the first: what it is, and where its motion and contact differ."""
+    """Groups of entries on a slider beside the first: its shape, and where its motion
+    and contact differ from the first one's."""
     own = {"slider": further.get("slider", {})} | {
         key: {name: value for name, value in further.get(key, {}).items() if value != case.get(key, {}).get(name)}
         for key in ("motion", "contact")}
@@ -157,7 +158,7 @@ def further_slider(case, further, number):
 
 
 def metric_rows(results):
-    """Rows of the table of numbers: words, identifier of their meaning, value, stated error or why there is none, name."""
+    """Rows of the table of metrics: words, identifier in the glossary, value, error estimate or why it has none, name."""
     return [(quantities.words(name), quantities.explained_by(name), value(results, name),
              f"does not converge: {results.not_converging[name]}" if name in results.not_converging else error(results, name), name)
             for name in results.metrics]
@@ -186,7 +187,7 @@ def timing_rows(results):
 
 
 def counter_rows(results):
-    """Rows of the counters of the solvers. Threads work side by side, so their times can add up to more than a stage."""
+    """Rows of the counters of the solvers. Times are sums over threads, and can exceed the time of a stage."""
     rows = []
     for name, value in results.manifest.get("counters", {}).items():
         timed = name.startswith("seconds_")
@@ -196,7 +197,7 @@ def counter_rows(results):
 
 
 def origin_rows(results):
-    """Rows that say where the result comes from."""
+    """Rows on the origin of the results: program, commit, compiler, command, threads, start, hash of the input."""
     manifest = results.manifest
     program = manifest.get("program", {})
     rows = [("program", f"{program.get('name', 'ionskin')} {program.get('version', '')}".strip()),
@@ -207,13 +208,13 @@ def origin_rows(results):
 
 
 def has_sharp_edges(slider):
-    """True for a flat slider without rounded edges, and for a height map, of which nothing is known here."""
+    """True for a flat slider without rounded edges; also for a height map, whose edges are not known here."""
     shape = slider.get("shape", "flat")
     return shape == "profile" or shape == "flat" and str(slider.get("edge_radius", "0")).split()[0].strip("0.") == ""
 
 
 def limits(results):
-    """Statements on the limits of the model, as far as they concern this case."""
+    """Sentences on those limits of the model that concern the case of a run."""
     texts = list(LIMITS)
     slider = results.case.get("slider")
     if slider:
@@ -226,7 +227,7 @@ def limits(results):
 
 
 def law(results):
-    """The coupling law of the case."""
+    """Name of the coupling law of a run's case."""
     return results.case.get("coupling", {}).get("law", "fixed-charge")
 
 
@@ -257,7 +258,7 @@ def shear_caption(results):
 
 
 def charge_caption(results):
-    """Caption of the electrodes' charge; its common part exists under some laws alone."""
+    """Caption of the electrodes' charge, by the coupling law, since only some laws make a common part."""
     text = "Charge on the metal."
     if law(results) == "fixed-charge":
         text += " The common part follows the net fixed charge that the shear creates."

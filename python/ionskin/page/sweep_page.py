@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""report.html of a sweep, and the charts to explore in that of a run: offline, with data and script inside."""
+"""HTML report of a sweep, and the interactive charts in the report of a run, without a
+network: data and script are in the page."""
 
 import re
 
@@ -27,7 +28,7 @@ COLUMNS = ["peak_sampled_current_difference", "peak_voltage", "peak_mean_shear",
 
 
 def member_data(study, member):
-    """Data of one run for the charts: signals at the sampled rows, sampled currents, phases."""
+    """Data of one Member for the interactive charts: signals and currents at the readout's instants, phases."""
     results = member.results
     time = results.sampled["time"]
     rounding = ("current_",) if carries_nothing(results) else ("current_difference",) if is_open(results) else ()  # columns of nothing else
@@ -48,7 +49,7 @@ def member_data(study, member):
 
 
 def axes(study):
-    """Axes that the charts of metrics can run along: the study's key first, of a scattered one every swept number."""
+    """Data of the axes for charts of metrics: the study's key, and in a scattered study every swept key that is a number."""
     keys = [study.key, *(key for key in study.numeric_keys if key != study.key)] if study.scattered else [study.key]
     return [{"name": study.axis_label(key).split(" [")[0], "axis": study.axis_label(key),
              "unit": study.sweep.keys.get(key, "1") if study.sweep else "1",
@@ -56,7 +57,7 @@ def axes(study):
 
 
 def data(study):
-    """Everything the script draws."""
+    """Data of the script that draws the interactive charts of a Study."""
     metrics = [{"name": quantities.words(name), "unit": study.typical.results.metrics[name].unit, "values": rounded(study.metric(name))}
                for name in AGAINST if name in study.typical.results.metrics]
     return {"keys": axes(study), "scattered": study.scattered,
@@ -66,7 +67,7 @@ def data(study):
 
 
 def figures(study):
-    """The numbered figures with their captions and charts, a sentence on those that are left out, and the charts by name."""
+    """Data of the section of a Study's numbered figures, {"pictures", "notes"}, and dict of name to Chart."""
     pictures, reasons, charts = [], {}, {}
     for entry, chart in numbered.charts(study):
         if isinstance(chart, str):
@@ -79,7 +80,7 @@ def figures(study):
 
 
 def warnings(study):
-    """Warnings of all points that are shown, each once, with the points that it is of."""
+    """Warnings of all members of a Study, each once, with the points to which it belongs."""
     found = {}
     for member in study.members:
         for text in map(quantities.in_words, member.results.warnings):
@@ -95,7 +96,7 @@ def warnings(study):
 
 
 def points(study):
-    """The rows of sweep.csv that a reader wants to see."""
+    """Table of a sweep's points with their most important metrics."""
     sweep = study.sweep
     shown = [name for name in COLUMNS if name in sweep.units]
     head = ("point", *sweep.keys, "status", *map(quantities.words, shown))
@@ -105,30 +106,30 @@ def points(study):
 
 
 def failures(study):
-    """The points that failed, with their reasons; None without any."""
+    """Table of the points that failed, with their reasons; None when none did."""
     rows = [(point.folder.name, point.reason) for point in study.sweep.points if point.status == "failed"]
     return pages.Table(("point", "reason"), rows) if rows else None
 
 
 def explore(study):
-    """Charts to hover over and to zoom into; None where nothing was sampled."""
+    """Data of the section with interactive charts; None where nothing was sampled."""
     if "time" not in study.typical.results.sampled:
         return None
     return {"several": not study.single, "notes": []}
 
 
 def script(study):
-    """The script of the charts to explore and its data; empty where there are none."""
+    """Script of the interactive charts with its data, as for `pages.chart_script`; {} without such charts."""
     return {"DATA": ("sweep_page.js", data(study))} if "time" in study.typical.results.sampled else {}
 
 
 def readable(study):
-    """The metric of the reading between the electrodes; None where the runs have none."""
+    """Name of the metric of an instrument's reading that the members have; None without one."""
     return next((name for name in READABLE if numpy.isfinite(study.metric(name)).any() and name in study.typical.results.metrics), None)
 
 
 def answer(study):
-    """The sentences that the page opens with: how the reading between the electrodes follows the key, and where it is largest."""
+    """Opening sentences of a sweep's page: how the reading between the electrodes follows the key, and where it is largest."""
     name = readable(study)
     if name is None:
         return [study.note] if study.note else []

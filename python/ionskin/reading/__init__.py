@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Files that take more than a table to read: of runs, and recordings from elsewhere."""
+"""Readers of the files of runs, and of recordings from elsewhere."""

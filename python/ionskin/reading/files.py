@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Files that may come from elsewhere: ordinary ones of bounded size, and JSON of bounded depth with finite numbers alone."""
+"""Safe reading of files that may come from elsewhere: ordinary files of bounded size, and
+JSON of bounded depth and finite numbers."""
 
 import csv
 import io
@@ -15,12 +16,12 @@ LARGEST_TABLE = 2 << 30
 
 
 def open_ordinary(path, most):
-    """An ordinary file, open to read its bytes.
+    """Opens an ordinary file to read its bytes.
 
-    most  bytes
+    most  largest allowed size [bytes]
 
-    Raises FileNotFoundError when it is missing, CaseError for a folder, a pipe, a device, a link to itself, and for what is
-    too large or cannot be read.
+    Raises FileNotFoundError when it is missing, CaseError when it is a folder, a pipe, a device or a link to itself, is larger
+    than `most`, or cannot be read.
     """
     try:
         descriptor = os.open(path, os.O_RDONLY | os.O_NONBLOCK | os.O_CLOEXEC)  # opening a pipe would wait for its other end
@@ -45,7 +46,7 @@ def open_ordinary(path, most):
 
 
 def read_text(path, most=LARGEST_TABLE) -> str:
-    """The text of an ordinary file. Raises as `open_ordinary`, and CaseError for a text that is not UTF-8."""
+    """Reads an ordinary file of UTF-8 text. Raises as `open_ordinary` does, and CaseError for text that is not UTF-8."""
     with open_ordinary(path, most) as file:
         content = file.read(most + 1)[:most]
     try:
@@ -55,7 +56,7 @@ def read_text(path, most=LARGEST_TABLE) -> str:
 
 
 def parse_json(text: str):
-    """The value of a JSON text. Raises ValueError for anything else, for NaN and infinity, and for deep nesting."""
+    """Parses a JSON text. Raises ValueError for anything but JSON, for NaN and infinity, and for deep nesting."""
     try:
         value = json.loads(text, parse_constant=_refuse_constant, parse_float=_finite)
     except RecursionError as error:
@@ -70,7 +71,8 @@ def parse_json(text: str):
 
 
 def read_json(path, most=LARGEST_JSON, remedy="run the case again"):
-    """The value of a JSON file. Raises as `read_text`, and CaseError when it is damaged."""
+    """Reads a JSON file; `remedy` is what the message tells the user to do. Raises as
+    `read_text` does, and CaseError when it is damaged."""
     try:
         return parse_json(read_text(path, most))
     except CaseError:
@@ -91,7 +93,10 @@ def _finite(text):
 
 
 def read_rows(path):
-    """The rows of a CSV file, each a list of cells; at least the header. Raises as read_text does, csv.Error and ValueError."""
+    """Reads the rows of a CSV file, each a list of cells; the first is the header.
+
+    Raises as `read_text` does, csv.Error for damaged cells, and ValueError without a header.
+    """
     rows = list(csv.reader(io.StringIO(read_text(path), newline=""), strict=True))
     if not rows:
         raise ValueError("it has no header")

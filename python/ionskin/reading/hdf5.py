@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""results.h5 of a folder that may come from elsewhere."""
+"""Safe opening of results.h5 in a folder that may come from elsewhere."""
 
 import os
 import stat
@@ -11,10 +11,10 @@ _found_plain = set()  # what tells a file from any other, and from itself once i
 
 
 def open_hdf5(path):
-    """An h5py.File to read, all of whose values stand in the file itself.
+    """Opens an HDF5 file to read, as an h5py.File, and requires that all its values are in the file itself.
 
-    Raises FileNotFoundError when it is missing, and CaseError for pipes and folders, for damaged files, and for links
-    or datasets that lead to other files: none of these is followed.
+    Raises FileNotFoundError when it is missing, and CaseError when it is no ordinary file, is damaged, or has links or
+    datasets that refer to other files; none of these is followed.
     """
     import h5py  # costs a quarter of a second that most readers need not pay
 

@@ -3,7 +3,7 @@
 
 
 def xarray_module():
-    """xarray. Raises ImportError with the remedy when it is missing."""
+    """Imports and returns the module xarray. Raises ImportError, with the remedy, when it is missing."""
     try:
         import xarray
     except ImportError as missing:
@@ -13,14 +13,14 @@ def xarray_module():
 
 
 def table_dataset(table):
-    """The columns of a Table over its time, each with its unit, as an xarray.Dataset."""
+    """Converts a Table to an xarray.Dataset over its time; each column has its SI unit as the attribute "units"."""
     arrays = {name: ("time", values, {"units": table.units[name]}) for name, values in table.columns.items()}
     time = {name: arrays.pop(name) for name in ("time", "cycle", "phase") if name in arrays}
     return xarray_module().Dataset(arrays, coords=time)
 
 
 def sweep_dataset(sweep):
-    """Metrics over the points of a Sweep, with the swept values as coordinates, as an xarray.Dataset."""
+    """Converts the metrics of a Sweep to an xarray.Dataset over its points, with the swept values as coordinates."""
     coordinates = {key: ("point", sweep.values(key), {"units": unit}) for key, unit in sweep.keys.items()}
     metrics = {name: ("point", sweep.metric(name), {"units": unit}) for name, unit in sweep.units.items()}
     return xarray_module().Dataset(metrics, coords=coordinates)

@@ -1,14 +1,15 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The sliders of a case: one, or those of a list [[slider]]."""
+"""Sliders of a case: a single table [slider], or a list [[slider]]."""
 
 SHARED = ("motion", "contact")  # tables whose keys an entry of the list may have of its own
 
 
 def cases_of_sliders(case):
-    """One case for each slider, in which its tables stand as [slider], [motion] and [contact].
+    """Splits a case into one case for each slider, in which [slider], [motion] and [contact] are the tables of this slider.
 
-    case : dict
-        as TOML has it
+    case  nested dict of the TOML text
+
+    Returns a list of such dicts; [case] itself for a single slider.
     """
     entries = case.get("slider")
     if not isinstance(entries, list):
@@ -18,12 +19,14 @@ def cases_of_sliders(case):
 
 
 def shared(table, own):
-    """A table of the case with the keys that an entry has of its own. Another kind of motion takes nothing but the cycles."""
+    """Merges a table of the case with the keys of a slider's own; where these name another
+    kind of motion, only the cycles are shared."""
     if "kind" in own:
         table = {name: value for name, value in table.items() if name == "cycles"}
     return table | own
 
 
 def suffix(slider):
-    """End of the names of what belongs to a slider, by its place in the list from 0: none for the first, "_2" for the second."""
+    """Suffix of the names of a slider's signals, by its index in the list from 0: ""
+    for the first slider, "_2" for the second."""
     return "" if slider == 0 else f"_{slider + 1}"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Results of a run that has not ended: its mechanics, which stands in results.h5 once Study 1 is finished."""
+"""Results of a run that has not ended: its mechanics, which is in results.h5 once Study 1 is finished."""
 
 import contextlib
 
@@ -15,7 +15,11 @@ PLACES = {"time": "path/time", "slider_x": "strain/slider_x", "slider_z": "path/
 
 
 def mechanics(path):
-    """Columns and units by name, and metrics as (name, value, unit); None where the file does not hold Study 1."""
+    """Reads the mechanics (Study 1): dicts of name to array [rows] and to SI unit, and a list of metrics (name, value,
+    unit).
+
+    None when the file does not hold Study 1.
+    """
     with contextlib.suppress(OSError, KeyError, TypeError, ValueError, AttributeError), open_hdf5(path) as file:
         # A run of an earlier version lacks the later columns.
         places = {name: place for name, place in PLACES.items() if place in file or name == "time"}
@@ -27,7 +31,7 @@ def mechanics(path):
 
 
 def reason(folder, manifest):
-    """Reason why a folder without signals.csv cannot be read, as its manifest states it."""
+    """Message that says why a folder without signals.csv cannot be read, by its manifest (a dict)."""
     state = manifest.get("state")
     if not folder.exists():
         return f"there is no folder {folder}: name the folder of a finished run"

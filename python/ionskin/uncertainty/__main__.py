@@ -10,7 +10,7 @@ from .study import Uncertainty
 
 
 def tell(study, analyses, arguments) -> None:
-    """The indices as lines."""
+    """Prints mean, deviation and Sobol' indices of each metric as lines, then warnings and the path of the report."""
     for name, one in analyses.items():
         print(f"{name}: mean {one.mean:.6g}, standard deviation {one.deviation:.3g}"
               + ("" if one.q2 is None else f", Q2 {one.q2:.4f}"))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Quantiles of signals over time, of the samples themselves."""
+"""Quantile bands of signals over time, taken over the samples of a study."""
 
 import numpy
 
@@ -9,7 +9,8 @@ ROWS = 400
 
 
 def bands(outcomes):
-    """Instants [s] and array [level, instant] by signal; instants end with the shortest run."""
+    """Quantiles of signals over outcomes: dict of signal to (instants [s], array [level,
+    instant]), over the time that all runs cover."""
     result = {}
     for name in SIGNALS:
         runs = [outcome.columns for outcome in outcomes if name in outcome.columns]

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Sparse polynomial chaos of one quantity, validated on points that it has not seen, and what follows from it.
+"""Sparse polynomial chaos, a surrogate of one quantity that is validated on points that it has not seen; its Sobol'
+indices.
 
 Method: Blatman and Sudret (2011, doi 10.1016/j.jcp.2010.12.021): orthogonal matching pursuit chooses the terms; degree and
 hyperbolic norm are chosen by the corrected leave-one-out error. Sobol' indices are sums of squared coefficients: Sudret
@@ -23,15 +24,15 @@ LEVELS = (0.025, 0.975)
 
 
 class Chaos(NamedTuple):
-    """A surrogate.
+    """Surrogate of one quantity: a sum of orthonormal polynomials of the germs (standardised random keys).
 
-    degree, norm     of the candidates
-    terms            array [term, key] of the polynomials' degrees
-    coefficients     of orthonormal polynomials; the first is the mean
-    basis            array [sample, term]: the polynomials at the samples
-    leave_one_out    corrected error, as a share of the variance
-    q2               1 minus the error at points left out in five folds, the terms chosen anew, as a share of the variance
-    evaluate         array [n, keys] of germs to array [n]
+    degree, norm     largest degree, and hyperbolic norm, of the candidates among which the terms were chosen
+    terms            array [term, key]: degrees of the polynomials
+    coefficients     array [term]; the first is the mean
+    basis            array [sample, term]: values of the polynomials at the samples
+    leave_one_out    corrected leave-one-out error, as a share of the variance
+    q2               1 minus the share of the variance that is missed at points left out in five folds, terms chosen anew
+    evaluate         function of germs, array [n, keys], that returns an array [n]
     """
 
     degree: int
@@ -45,7 +46,14 @@ class Chaos(NamedTuple):
 
 
 def fit(germs, data, distributions) -> Chaos:
-    """germs: array [n, keys] in the distributions of OpenTURNS; data: array [n], not constant."""
+    """Fits a polynomial chaos to samples.
+
+    germs          array [n, keys]
+    data           array [n], not constant
+    distributions  OpenTURNS distribution of the germ of each key
+
+    Raises CaseError without OpenTURNS.
+    """
     turns = need("openturns", "ionskin uncertainty")
     basis = _Basis(turns, distributions)
     best, since = None, 0
@@ -64,7 +72,7 @@ def fit(germs, data, distributions) -> Chaos:
 
 
 def _validated(basis, germs, data, chosen) -> float:
-    """Q2 by folds that take every fifth point: of a Sobol sequence each is spread evenly."""
+    """Q2 by cross-validation in folds of every fifth point, which are evenly spread in a Sobol' sequence."""
     squares = 0.0
     for fold in range(FOLDS):
         left = numpy.arange(len(data)) % FOLDS == fold
@@ -75,7 +83,7 @@ def _validated(basis, germs, data, chosen) -> float:
 
 
 class _Basis:
-    """Products of polynomials orthonormal in each distribution."""
+    """Basis of products of polynomials that are orthonormal with respect to the distribution of each germ."""
 
     def __init__(self, turns, distributions) -> None:
         self._turns, self._distributions = turns, distributions
@@ -95,7 +103,7 @@ class _Basis:
         return numpy.column_stack(columns)
 
     def _tables(self, germs, degree):
-        """Arrays [n, degree + 1] by key."""
+        """Polynomials of each key at the samples, as a list of arrays [n, degree + 1]."""
         standard = self._standard(germs)
         result = []
         for place, family in enumerate(self._polynomials):
@@ -119,7 +127,10 @@ class _Basis:
         return result
 
     def regress(self, germs, data, degree, norm) -> Chaos | None:
-        """None where the candidates are too many."""
+        """Chooses terms up to a degree and norm, and fits their coefficients; None when there are too many candidates.
+
+        The q2 of the Chaos is NaN.
+        """
         terms = self._candidates(degree, norm)
         if terms is None:
             return None
@@ -134,7 +145,8 @@ class _Basis:
 
 
 def _terms(keys, degree, norm):
-    """Multi-indices with (sum of degrees^norm)^(1/norm) <= degree, ascending, the constant first; None for too many."""
+    """Multi-indices, as an array [term, key], with (sum of degrees^norm)^(1/norm) <=
+    degree, the constant first; None for too many."""
     found, limit = [], degree**norm * (1 + 1e-12)
 
     def extend(prefix, used):
@@ -156,8 +168,8 @@ def _terms(keys, degree, norm):
 
 
 def _select(matrix, data):
-    """Columns chosen by orthogonal matching pursuit, as many as make the corrected leave-one-out error smallest, and that
-    error."""
+    """Chooses columns of a matrix [sample, term] by orthogonal matching pursuit, as many as minimise the corrected
+    leave-one-out error; returns their indices, None without any, and this error as a share of the variance."""
     count = len(data)
     variance = data.var(ddof=1)
     lengths = numpy.linalg.norm(matrix, axis=0)
@@ -201,7 +213,7 @@ def _select(matrix, data):
 
 
 def indices(terms, coefficients):
-    """First-order and total Sobol' indices by key, of a chaos whose variance is not 0."""
+    """First-order and total Sobol' indices, arrays [key], of the terms and coefficients of a chaos whose variance is not 0."""
     squares = coefficients**2
     varying = terms.sum(axis=1) > 0
     variance = squares[varying].sum()
@@ -210,7 +222,8 @@ def indices(terms, coefficients):
 
 
 def intervals(chaos: Chaos, data, seed: int):
-    """95 % intervals of both indices, arrays [2, key]: bootstrap of the samples with the chosen terms."""
+    """95 % intervals of first-order and total Sobol' indices, arrays [2, key], by
+    bootstrap of the samples with the chosen terms."""
     generator = numpy.random.default_rng([seed, 0x50B01])
     count, found = len(data), ([], [])
     for _ in range(REPLICAS):

@@ -13,7 +13,11 @@ MOST_KEYS = 50
 
 
 def points(design: str, count: int, keys: int, seed: int) -> numpy.ndarray:
-    """Array [count, keys] within (0, 1). A Sobol sequence (scrambled by the seed) of more points begins with the same."""
+    """Points that fill the unit cube evenly, as an array [count, keys] within (0, 1).
+
+    design  "sobol": Sobol' sequence, scrambled by the seed, of which a larger `count` continues a smaller one; "lhs": Latin
+            hypercube
+    """
     if design not in DESIGNS:
         raise CaseError(f"design {design} is unknown\n  = choose one of {', '.join(DESIGNS)}")
     if not 1 <= keys <= MOST_KEYS:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Distributions as a command line states them: "contact.friction=uniform(0.1, 0.4)"."""
+"""Distributions of keys, read from texts such as "contact.friction=uniform(0.1, 0.4)"."""
 
 import math
 import re
@@ -26,11 +26,13 @@ TAIL = 1e-6  # beyond these quantiles nothing of an unbounded distribution is as
 
 
 class Parameter(NamedTuple):
-    """A key and its distribution, which is that of a germ of order one, carried over by an increasing function.
+    """Key with its distribution, given as an increasing function of a standardised random number, the germ.
 
-    key, written, unit  as stated; the SI unit, "1" for pure numbers
-    germ                distribution of OpenTURNS
-    logarithmic, centre, scale  value = exp(centre + scale germ), or centre + scale germ
+    key          name of the key
+    written      text of the distribution
+    unit         SI unit; "1" for pure numbers
+    germ         OpenTURNS distribution of the germ
+    logarithmic  True: value = exp(centre + scale germ); False: value = centre + scale germ
     """
 
     key: str
@@ -42,21 +44,21 @@ class Parameter(NamedTuple):
     scale: float
 
     def values(self, germ):
-        """SI values of the germ's."""
+        """Values of the key in SI units, an array, at values of the germ."""
         linear = self.centre + self.scale * numpy.asarray(germ, float)
         return numpy.exp(linear) if self.logarithmic else linear
 
     def germs(self, probability):
-        """Quantiles of the germ."""
+        """Quantiles of the germ, an array, at the given probabilities."""
         return numpy.array([self.germ.computeQuantile(float(p))[0] for p in numpy.ravel(probability)])
 
     def text(self, value: float) -> str:
-        """A value as TOML."""
+        """TOML text of a value in SI units, with the unit."""
         return repr(float(value)) if self.unit == "1" else f'"{float(value)!r} {self.unit}"'
 
 
 def parse_all(texts, case: Case | None) -> list[Parameter]:
-    """Parameters from texts KEY=DISTRIBUTION, or from a dictionary. Raises CaseError."""
+    """Reads Parameters from a list of texts "KEY=DISTRIBUTION" or a dict of key to distribution. Raises CaseError."""
     pairs = list(texts.items()) if isinstance(texts, dict) else [_split(text) for text in texts]
     if not pairs:
         raise CaseError('nothing varies\n  = give at least one --vary "KEY=DISTRIBUTION"; ' + KNOWN)
@@ -67,8 +69,11 @@ def parse_all(texts, case: Case | None) -> list[Parameter]:
 
 
 def parse(key: str, written: str, case: Case | None) -> Parameter:
-    """Parameter of one key; its units and range are those of the case's, or pure numbers without a case. Raises
-    CaseError."""
+    """Reads the distribution of one key. Its numbers have units of the key in the case; without a case (None) they are
+    pure.
+
+    Raises CaseError for an unknown distribution, and for one that reaches values that the key cannot have.
+    """
     match = CALL.fullmatch(written)
     if not match or match[1].lower() not in FORMS:
         raise CaseError(f"{key}={written}: no distribution\n  = {KNOWN}")
@@ -98,7 +103,10 @@ def _require_number(key: str, case: Case) -> None:
 
 
 def quantity(key: str, text: str, case: Case | None) -> tuple[float, str]:
-    """SI value and unit of one number. Raises CaseError."""
+    """Reads one number of a distribution: its value in SI units, and the SI unit; without a case (None), a pure number.
+
+    Raises CaseError.
+    """
     if case is not None:
         try:
             return solver.load().key_quantity(key, text)
@@ -175,7 +183,7 @@ def _ascending(key, written, numbers) -> list[float]:
 
 
 def _require_within(parameter: Parameter, name: str, case: Case) -> None:
-    """Both ends, or the far quantiles of what has none, are values that the key can have."""
+    """Requires that both ends of a distribution, or its far quantiles, are values that the key can have. Raises CaseError."""
     for probability, end in ((TAIL, "low"), (1 - TAIL, "high")):
         value = float(parameter.values(parameter.germs(probability))[0])
         trial = case.copy()

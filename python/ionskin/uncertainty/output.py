@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Files and page of an uncertainty study."""
+"""Files and report page of an uncertainty study."""
 
 import csv
 import io
@@ -24,7 +24,7 @@ def _table(rows) -> str:
 
 
 def units(study) -> dict:
-    """SI unit by metric."""
+    """SI units of the metrics of a study, as a dict by name."""
     return study.outcomes[study.finished()[0]].units
 
 
@@ -115,15 +115,17 @@ def bands_figure(found, known, width):
 
 
 def svg_of(drawing):
-    """The text of its SVG file."""
+    """SVG text of a matplotlib figure."""
     text = io.StringIO()
     drawing.savefig(text, format="svg", metadata={"Date": None}, transparent=True)
     return text.getvalue()
 
 
 def picture(folder, name, heading, caption, draw):
-    """Saves a figure and returns its section of the page, which has another drawing for telephones. `draw` makes one of a width
-    in inches."""
+    """Saves a figure as PNG and SVG and returns its section of the page, which has a narrow drawing for telephones, too.
+
+    draw  function of a width [inch] that returns the matplotlib figure
+    """
     drawing = draw(style.WIDTH)
     output_folder.save(drawing, folder / "figures" / f"{name}.png", dpi=PNG_DPI)
     text = svg_of(drawing)
@@ -134,7 +136,7 @@ def picture(folder, name, heading, caption, draw):
 
 
 def write(study, analyses, kept) -> None:
-    """Everything that the folder of a finished study holds."""
+    """Writes all result files, figures and the page of a finished study into its folder; `kept` is its StudyFolder."""
     found = bands([study.outcomes[number] for number in study.finished()])
     kept.write("uncertainty.json", summary(study, analyses))
     kept.write("samples.csv", samples_table(study))
@@ -164,7 +166,7 @@ def write(study, analyses, kept) -> None:
 
 
 def warnings(study, analyses) -> list[str]:
-    """Warnings that a reader must know."""
+    """Warnings of a study that a reader should know: refused surrogates, failed samples and others."""
     failed = [outcome.reason for outcome in study.outcomes.values() if outcome.reason]
     texts = [f"{name}: {one.refusal}" for name, one in analyses.items() if one.refusal]
     if failed:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Uncertainty of a case's results, by ask and tell."""
+"""Uncertainty study: statistics and Sobol' indices of a case's results under uncertain keys, by ask and tell."""
 
 from collections.abc import Sequence
 from typing import Any, NamedTuple
@@ -19,15 +19,18 @@ SURROGATE_SAMPLES = 20000
 
 
 class Analysis(NamedTuple):
-    """Statistics of one metric over the samples.
+    """Statistics of one metric over the samples of an uncertainty study.
 
-    mean, deviation   of the samples
-    quantiles         by probability: of the surrogate where it is valid, else of the samples
-    q2                of the surrogate at points that it has not seen; None for a metric that does not vary
-    leave_one_out, degree, terms  of the surrogate
-    first, total      Sobol' indices by key as (index, lower, upper); empty where the surrogate is refused
-    refusal           why there are no indices, and the remedy; "" where there are
-    samples_needed    estimated number of all samples that a valid surrogate takes; 0 where it is valid or more do not help
+    mean, deviation   mean and standard deviation of the samples, in the metric's SI unit
+    quantiles         dict of probability to quantile: of the surrogate where it is valid, else of the samples, in this unit
+    q2                predictive coefficient Q2 of the surrogate, 1 minus the share of the variance that it misses at points that
+                      it has not seen; None for a metric that does not vary
+    leave_one_out     corrected leave-one-out error of the surrogate, as a share of the variance; None as for q2
+    degree, terms     polynomial degree of the surrogate, and its number of terms without the constant
+    first, total      dict of key to first-order and total Sobol' index as (index, lower, upper), with the ends of the 95 %
+                      interval; {} where the surrogate is refused
+    refusal           reason why there are no indices, and the remedy; "" where there are indices
+    samples_needed    estimated number of samples, in all, for a valid surrogate; 0 where it is valid or more do not help
     """
 
     mean: float
@@ -44,20 +47,25 @@ class Analysis(NamedTuple):
 
 
 class Uncertainty:
-    """Spread of the results that follows from uncertain keys, and which key matters most.
+    """Uncertainty study: how much results vary with uncertain keys of a case, and which key matters most.
+
+    The study makes the trials, the caller runs them and hands the results back, in any order.
 
     case      an ionskin.Case; None for a function of one's own, whose keys are any names
-    vary      distribution by key, as text: {"contact.friction": "uniform(0.1, 0.4)"}
-    samples   how many trials; with the design "sobol" it may be raised later
-    design    "sobol" or "lhs"
-    metrics   names of metrics to analyse; empty: those of the first result
+    vary      dict of key to its distribution, as text: {"contact.friction": "uniform(0.1, 0.4)"}; or a list of texts
+              "KEY=DISTRIBUTION"
+    samples   number of trials, at least 16; with the design "sobol" it may be raised later
+    design    "sobol" (Sobol' sequence) or "lhs" (Latin hypercube)
+    seed      seed of the design
+    metrics   names of metrics to analyse; empty for the usual ones, or all where a result has none of these
+    least_q2  least Q2 at which the surrogate of a metric is used
 
         study = ionskin.Uncertainty(case, {"contact.friction": "uniform(0.1, 0.4)"}, samples=64)
         for trial in study.ask():
             study.tell(trial, ionskin.run(trial.case))
         study.analyse()["peak_mean_shear"].first
 
-    Raises CaseError before any work: for every value that a key cannot have too.
+    Raises CaseError before any work when an argument is wrong or a distribution reaches values that its key cannot have.
     """
 
     def __init__(self, case: Case | None, vary: dict | Sequence[str], *, samples: int = 64, design: str = "sobol",
@@ -76,7 +84,7 @@ class Uncertainty:
 
     @property
     def keys(self) -> list[str]:
-        """Names of what varies."""
+        """Names of the keys that vary, in the order of `vary`."""
         return [one.key for one in self.parameters]
 
     def _trial(self, number, row) -> Trial:
@@ -95,13 +103,16 @@ class Uncertainty:
                             f"together\n{error}") from error
 
     def ask(self, count: int | None = None) -> list[Trial]:
-        """Trials whose results are not given yet, the first `count` of them."""
+        """Returns the trials that have no result yet, in order; the first `count` of them, or all for None."""
         return [trial for trial in self.trials if trial.number not in self.outcomes][:count]
 
     def tell(self, trial: Trial, result: Any) -> None:
-        """Takes the Results of a run, numbers by name of a metric, or the exception that a run ended with.
+        """Takes the result of a trial.
 
-        Raises CaseError where the first result lacks a metric that was asked for.
+        trial   a trial that `ask` returned
+        result  Results of its run, a dict of metric name to number, or the exception with which its run ended
+
+        Raises CaseError when the trial is of another study, or the first result lacks a metric that was asked for.
         """
         if not 0 <= trial.number < len(self.trials):
             raise CaseError(f"trial {trial.number} does not belong to this study\n  = pass a trial that ask() returned")
@@ -111,11 +122,14 @@ class Uncertainty:
         self.outcomes[trial.number] = outcome
 
     def finished(self) -> list[int]:
-        """Numbers of the trials with a result."""
+        """Numbers of the trials that have a result and did not fail, ascending."""
         return [number for number in sorted(self.outcomes) if not self.outcomes[number].reason]
 
     def chosen_metrics(self) -> list[str]:
-        """Names of the metrics asked for, or of the usual ones, or of all that were given."""
+        """Names of the metrics to analyse: those asked for, else the usual ones, else all that the first result has.
+
+        Raises CaseError when no trial has a result yet.
+        """
         rows = self.finished()
         if not rows:
             raise CaseError("no sample has a result yet\n  = call tell() with the result of each trial that ask() returned")
@@ -123,12 +137,13 @@ class Uncertainty:
         return self.metrics or [name for name in METRICS if name in known] or known
 
     def data(self, name: str):
-        """Numbers of the trials that have the metric, and its values."""
+        """Samples of a metric: list of the numbers of the trials that have it, and array of its values in SI units."""
         rows = [number for number in self.finished() if name in self.outcomes[number].metrics]
         return rows, numpy.array([self.outcomes[number].metrics[name] for number in rows])
 
     def analyse(self) -> dict[str, Analysis]:
-        """Analysis by metric, of the results given so far."""
+        """Analyses the results given so far and returns a dict of metric name to Analysis.
+        Raises CaseError for less than 16 results."""
         return {name: self._analysis(*self.data(name)) for name in self.chosen_metrics()}
 
     def _analysis(self, rows, data) -> Analysis:

@@ -26,10 +26,6 @@ constexpr double smallest_margin = 0.05;
 /// because friction pulls at electrodes over many thicknesses.
 constexpr double face_layer = 0.5, face_zone = 3;
 
-std::size_t longest_way(const MotionBox& box) {
-  return box.high[1] - box.low[1] > box.high[0] - box.low[0] ? 1 : 0;
-}
-
 bool moves_on_symmetry_plane(const Case& input) {
   const MotionBox box = motion_box(input.motion, input.slider);
   const double offset = std::abs(box.low[1] - input.skin.width / 2);

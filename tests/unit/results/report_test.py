@@ -471,6 +471,10 @@ class ChartData(unittest.TestCase):
         values = numpy.sin(numpy.linspace(0, 50, 100_001))
         values[[17, 70_000]] = (9.0, -9.0)
         rows = chart_data.kept_rows(Curve(numpy.arange(len(values)), values))
+        arrays, where = chart_data.Arrays(), numpy.arange(10.0)
+        first, other = ([0, 3, 9], [0, 5, 9])  # as many rows, but others
+        self.assertEqual([arrays.place(where, numpy.array(chosen)) for chosen in (first, other, first)], [0, 1, 0])
+        self.assertEqual(arrays.series, [first, other])
         self.assertLessEqual(len(rows), chart_data.MOST_POINTS + 2)
         self.assertTrue({0, 17, 70_000, 100_000} <= set(rows))
         self.assertEqual(list(chart_data.kept_rows(Curve(values[:5], values[:5]))), [0, 1, 2, 3, 4])

@@ -23,7 +23,7 @@ namespace {
 
 std::counting_semaphore<limits::checks_at_once> checks{limits::checks_at_once};
 
-/// Removes the file at the end.
+/// Temporary file, which the destructor removes.
 struct ScratchFile {
   fs::path path;
   ~ScratchFile() {
@@ -32,7 +32,7 @@ struct ScratchFile {
   }
 };
 
-/// Keys of the schema that a message names.
+/// Keys of the schema that a message names, as a JSON array.
 Json keys_in(const std::string& message) {
   static const std::regex word(
       R"(\b[A-Za-z_][\w-]*(\[\d+\])?(\.[A-Za-z_][\w-]*(\[\d+\])?)+|\btitle\b)");
@@ -75,7 +75,7 @@ Json one_error(const std::string& text) {
           {"column", column},   {"length", length}, {"keys", keys_in(message)}};
 }
 
-/// Files that a valid case names outside the workspace.
+/// Errors, as of `check_case`, for the files that a valid case names outside the workspace.
 Json files_outside(const Workspace& workspace, const Json& values) {
   Json errors = Json::array();
   for (const Json& value : values) {
@@ -105,7 +105,8 @@ Json failure(const std::string& message) {
 } // namespace
 
 bool names_file(const std::string& key) {
-  return key == "strain.file" || key == "slider.profile" || key == "motion.file";
+  const std::string pattern = key_pattern(key); // that of a single slider for each of a list
+  return pattern == "strain.file" || pattern == "slider.profile" || pattern == "motion.file";
 }
 
 void require_valid(const Json& verdict) {

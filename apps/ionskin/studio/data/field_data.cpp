@@ -15,8 +15,8 @@ namespace {
 
 using results::ForeignHdf5File;
 
-/// Refuses values that are too many for a page, before they are read. Those of dimensions from
-/// `first` on count.
+/// Throws HttpError 413 when an array has too many values for a page, before it is read. Only
+/// dimensions from `first` on count.
 void require_shown(const ForeignHdf5File::Shape& shape, std::size_t first = 0) {
   double values = 1;
   for (std::size_t d = first; d < shape.size(); ++d) {
@@ -27,13 +27,14 @@ void require_shown(const ForeignHdf5File::Shape& shape, std::size_t first = 0) {
   }
 }
 
-/// Lines of a grid, or instants.
+/// Reads the lines of a grid, or instants.
 std::vector<double> line(const ForeignHdf5File& file, const std::string& path) {
   require_shown(file.shape(path));
   return file.read(path);
 }
 
-/// The members of a group, the grid left out, in the order of their instants.
+/// Lists the instants in a group of the file, in the order of time or path parameter; its grid is
+/// left out.
 Json frames(const ForeignHdf5File& file, const std::string& group, const char* instant) {
   Json list = Json::array();
   for (const std::string& name : file.members(group)) {
@@ -85,7 +86,7 @@ Json contact(const ForeignHdf5File& file) {
           {"frames", frames(file, "/contact", "parameter")}};
 }
 
-/// A name inside the file, never a path.
+/// Requires a plain name of a group or dataset, not a path. Throws HttpError 404.
 void require_name(const std::string& name) {
   if (name.empty() || name.find('/') != std::string::npos || name == "." || name == "..") {
     throw HttpError(404, "there is no such field");

@@ -8,11 +8,13 @@
 
 namespace ionskin::apps::studio {
 
-/// The installed cases to start from: [{"id", "title", "summary", "text"}].
+/// Lists the installed cases to start from, as an array [{"id", "title", "summary", "text"}] with
+/// the text of each case file.
 Json gallery();
 
-/// Writes the files that a case of the gallery needs besides itself into the workspace, unless they
-/// are there: the strain file. Throws HttpError 404, or 500 when they cannot be made.
+/// Writes the files that a case of the gallery names, such as its strain file, into the workspace,
+/// unless they exist. Throws HttpError 404 when there is no such case, 500 when a file cannot be
+/// made.
 void prepare(const Workspace& workspace, const std::string& id);
 
 } // namespace ionskin::apps::studio

@@ -22,13 +22,16 @@ std::string case_of(const std::string& name) {
   return name + ".toml";
 }
 
-/// True if anything bears the name, a link that leads nowhere too.
+/// True if a file, folder or link of the name exists; a link counts even where its target is
+/// missing.
 bool is_there(const Workspace& workspace, const std::string& name) {
   struct stat status {};
   return ::fstatat(workspace.folder(), name.c_str(), &status, AT_SYMLINK_NOFOLLOW) == 0;
 }
 
-/// False when something bears the name already.
+/// True if a system call that makes a file or folder succeeded, false if the name exists already.
+/// Throws UnwritableFile for other errors.
+/// @param result result of the system call
 bool made(const Workspace& workspace, const std::string& name, int result) {
   if (result < 0 && errno != EEXIST) {
     throw base::UnwritableFile(workspace.place(name), std::strerror(errno));

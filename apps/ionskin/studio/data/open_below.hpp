@@ -7,18 +7,22 @@
 
 namespace ionskin::apps::studio {
 
-/// Opens what a name means below a folder, to be read, without following a link in any part of the
-/// name and without waiting for a pipe's writer. What is checked of the descriptor holds for what
-/// is read from it, whatever happens to the name meanwhile.
-/// @return -1 with errno ELOOP for a link, EXDEV for a name that leads up or is absolute
+/// Opens a file or folder below a folder for reading, without following a link in any part of the
+/// name and without waiting for a pipe's writer. Callers check the descriptor, not the name, since
+/// the name may mean another file a moment later.
+/// @param name relative name
+/// @return invalid descriptor (-1) on failure, with errno: ELOOP for a link, EXDEV for a name that
+/// is absolute or contains ".."
 base::FileDescriptor open_below(const base::FileDescriptor& folder,
                                 const std::filesystem::path& name);
 
-/// A name by which this process reaches what is open, until it is closed.
+/// Path by which this process reaches an open file, for libraries that take names; valid until the
+/// descriptor is closed.
 std::filesystem::path path_of(const base::FileDescriptor& open);
 
+/// True if the descriptor is that of a folder.
 bool is_folder(const base::FileDescriptor& open);
-/// An ordinary file: no folder, pipe, socket or device.
+/// True if the descriptor is that of an ordinary file: no folder, pipe, socket or device.
 bool is_file(const base::FileDescriptor& open);
 
 } // namespace ionskin::apps::studio

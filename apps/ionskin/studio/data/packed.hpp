@@ -10,8 +10,9 @@
 
 namespace ionskin::apps::studio {
 
-/// A heading and numbers as one message: the length of the heading in bytes (32 bits, little
-/// endian), the heading as JSON, blanks up to a multiple of eight bytes, the numbers.
+/// Packs a JSON heading and binary numbers into one message for the page: the length of the heading
+/// [bytes] (32 bits, little endian), the heading, blanks up to a multiple of eight bytes, the
+/// numbers in the byte order of this machine.
 template <class Number>
 std::string packed(const Json& heading, const std::vector<Number>& numbers) {
   std::string text = dump(heading);

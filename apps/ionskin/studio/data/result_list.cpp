@@ -22,18 +22,19 @@ constexpr std::size_t largest_text = 8u << 20;
 
 using base::FileDescriptor;
 
-/// True if the folder itself holds a file of the name that is not a link.
+/// True if the folder has a file of the name that is not a link.
 bool has(const FileDescriptor& folder, const std::string& name) {
   return is_file(open_below(folder, name));
 }
 
-/// Throws UserError when it is too large.
+/// Reads a text file of the folder. Throws UserError when it is too large.
 std::string text_in(const FileDescriptor& folder, const char* name) {
   const FileDescriptor file = open_below(folder, name);
   return is_file(file) ? base::read_text_file(file, name, "result", largest_text) : "";
 }
 
-/// An empty object when there is no such file. Throws UserError when it is too large or no JSON.
+/// Reads a JSON file of the folder; an empty object when the file is missing. Throws UserError when
+/// it is too large or not JSON.
 Json json_in(const FileDescriptor& folder, const char* name) {
   const FileDescriptor file = open_below(folder, name);
   if (!is_file(file)) {
@@ -54,7 +55,7 @@ const char* case_of(const std::string& kind) {
   return kind == "fit" ? "fitted.toml" : "case.toml";
 }
 
-/// The title in a case's text, without reading the whole case.
+/// Finds the title in the text of a case, without reading the case as a whole.
 std::string title_in(const std::string& text) {
   const std::size_t begin = text.rfind("title", 0) == 0 ? 0 : text.find("\ntitle");
   const std::size_t open = text.find('"', begin == std::string::npos ? text.size() : begin);
@@ -68,11 +69,11 @@ std::string title_in(const std::string& text) {
   return title && title->is_string() ? title->get<std::string>() : rest;
 }
 
-/// Contents of a folder that a page shows. Its files may come from anybody.
+/// Contents of a folder of results that a page shows. The files may come from anybody.
 struct Contents {
   Json manifest = Json::object(), summary = Json::object();
   std::string case_text;
-  std::string damage; ///< reason why they are not shown
+  std::string damage; ///< reason why the contents are not shown; empty when they are
 };
 
 Contents read_contents(const FileDescriptor& folder, const std::string& kind) {
@@ -87,8 +88,8 @@ Contents read_contents(const FileDescriptor& folder, const std::string& kind) {
   }
 }
 
-/// A command that pages offer to be copied into a shell: words as `shell_text` writes them, and
-/// nothing that a shell would take for more. Empty for any other.
+/// Returns a command that pages offer for copying into a shell, if it consists of words as
+/// `shell_text` writes them, and holds nothing that a shell would interpret; else an empty text.
 std::string plain_command(const std::string& text) {
   bool quoted = false;
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -131,7 +132,7 @@ Json outline(const Opened& folder, const std::string& kind, const Contents& cont
   return one;
 }
 
-/// Names of the folders in a folder, those behind links left out.
+/// Names of the folders in a folder; links are left out.
 std::vector<std::string> folders_in(const FileDescriptor& folder) {
   std::vector<std::string> names;
   std::error_code error;
@@ -173,7 +174,7 @@ Json table_names(const FileDescriptor& folder) {
   return names;
 }
 
-/// Folders of a sweep's points in their order.
+/// JSON array of the folders of a sweep's points, in order.
 Json points(const FileDescriptor& folder) {
   std::vector<std::string> names = folders_in(open_below(folder, "points"));
   std::sort(names.begin(), names.end());

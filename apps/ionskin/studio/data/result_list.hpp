@@ -9,22 +9,23 @@
 
 namespace ionskin::apps::studio {
 
-/// Names of the tables that a folder of results may hold as NAME.csv; those that end in `_error`
-/// hold half the widths of the error bands of the others, row by row.
+/// Names of the tables that a folder of results may hold as NAME.csv. A table whose name ends in
+/// `_error` holds, row by row, half the widths of the error bands of the table without this ending.
 const std::vector<std::string>& known_tables();
 
 /// Kind of the results of a folder: "run", "sweep", "fit", or "" for no results of ionskin.
 std::string result_kind(const base::FileDescriptor& folder);
 
-/// Every folder of results in the workspace, the newest first: {"path", "kind", "title", "state",
-/// "started", "command", "warnings", "metrics"}. Links are not followed; points of sweeps belong to
-/// their sweep. Where a file of a folder is damaged, its state is "damaged", and a warning tells
-/// why.
+/// Lists the folders of results in the workspace, the newest first, as an array of {"path", "kind",
+/// "title", "state", "started", "command", "warnings", "metrics"}. Links are not followed; the
+/// points of a sweep are not listed by themselves. Where a file of a folder is damaged, its state
+/// is "damaged", and a warning says why.
 Json list_results(const Workspace& workspace);
 
-/// Everything about one folder that is small: as in the list, with all metrics, error estimates,
-/// timing, the case's text, names of tables; points of a sweep, parameters of a fit.
-/// Throws HttpError 404 when it holds no results.
+/// Describes one folder of results: its entry in `list_results`, with all metrics, error estimates,
+/// timing, the text of the case and the names of its tables; for a sweep its points, for a fit its
+/// parameters. Tables and fields are requested separately.
+/// Throws HttpError 404 when the folder holds no results.
 Json describe_result(const Opened& folder);
 
 } // namespace ionskin::apps::studio

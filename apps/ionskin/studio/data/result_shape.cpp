@@ -15,7 +15,7 @@ bool is_text(const Json& value) {
   return value.is_string();
 }
 
-/// Null stands for a number that is not finite.
+/// True if a value is a number, or null, which stands for a number that is not finite.
 bool is_figure(const Json& value) {
   return value.is_number() || value.is_null();
 }
@@ -24,7 +24,8 @@ bool is_number_or_missing(const Json& object, const char* name) {
   return !object.contains(name) || is_figure(object.at(name));
 }
 
-/// A value with its unit, and the ends of its interval if it has one.
+/// True if a value is a quantity: an object with a value, a unit, and the ends of its interval if
+/// it has one.
 bool is_quantity(const Json& value) {
   return value.is_object() && value.contains("value") && is_figure(value.at("value")) &&
          value.contains("unit") && is_text(value.at("unit")) &&
@@ -42,7 +43,7 @@ void require(const Json& object, const char* name, Test test) {
   }
 }
 
-/// Requires a condition of every entry of an inner object or list.
+/// Requires that every entry of an inner object or list meets a condition.
 void require_all(const Json& object, const char* name, Json::value_t container, Test test) {
   const auto inner = object.find(name);
   if (inner == object.end()) {

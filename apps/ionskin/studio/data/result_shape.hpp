@@ -5,11 +5,12 @@
 
 namespace ionskin::apps::studio {
 
-/// Requires that what a page takes from manifest.json has the types that it expects, where it is
-/// there. Throws UserError with the first entry that has not.
+/// Requires that the entries of manifest.json that a page uses have the types that it expects;
+/// missing entries are allowed. Throws UserError with the first entry of another type.
 void require_manifest(const Json& manifest);
 
-/// Requires the types that a page expects of summary.json or fit.json. Throws UserError likewise.
+/// Requires that the entries of summary.json or fit.json that a page uses have the types that it
+/// expects; missing entries are allowed. Throws UserError with the first entry of another type.
 void require_summary(const Json& summary);
 
 } // namespace ionskin::apps::studio

@@ -33,7 +33,8 @@ fs::path users_state() {
                   "XDG_STATE_HOME to a folder of your own");
 }
 
-/// A folder, no link, of this user, in which nobody else writes.
+/// Makes a folder if it is missing, and requires that it is no link, belongs to this user, and that
+/// nobody else can write in it.
 void make_private(const fs::path& folder) {
   struct stat status {};
   if ((::mkdir(folder.c_str(), 0700) != 0 && errno != EEXIST) ||

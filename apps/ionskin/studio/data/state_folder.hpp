@@ -5,11 +5,11 @@
 
 namespace ionskin::apps::studio {
 
-/// The folder of the Studio's own records of a workspace, made if it is missing: in
-/// $XDG_STATE_HOME or ~/.local/state, where only the user writes, for the commands of its jobs are
-/// run without a question.
-/// @param workspace canonical
-/// Throws UserError when it cannot be made or others may write there.
+/// Folder of the Studio's own records of a workspace, made if it is missing, in $XDG_STATE_HOME or
+/// ~/.local/state. It lies outside the workspace, where only the user can write, because the Studio
+/// runs the commands of the jobs recorded there without asking.
+/// @param workspace canonical path of the workspace
+/// Throws UserError when the folder cannot be made or others may write there.
 std::filesystem::path state_folder(const std::filesystem::path& workspace);
 
 } // namespace ionskin::apps::studio

@@ -16,8 +16,8 @@ namespace {
 
 constexpr double missing = std::numeric_limits<double>::quiet_NaN();
 
-/// Takes a cell and its comma from the front of a line; quoted ones may hold commas (RFC 4180), but
-/// no line breaks. True when another cell follows.
+/// Removes the first cell and its comma from a line. Quoted cells may hold commas (RFC 4180), but
+/// no line breaks. Returns true when another cell follows.
 bool take_cell(std::string_view& line, std::string& cell) {
   cell.clear();
   bool quoted = false;
@@ -57,13 +57,14 @@ Json heading_of(const std::string& title) {
   throw HttpError(413, "this table is too large to be shown; Python or ParaView reads it");
 }
 
-/// A CSV file that is read line by line, as often as `begin` is called.
+/// CSV file that is read line by line, as often as `begin` is called.
 class Lines {
 public:
   explicit Lines(const std::filesystem::path& path)
       : file_(path), buffer_(limits::table_line, '\0') {}
 
-  /// The heading; `next` gives the first row then.
+  /// Starts at the beginning and returns the heading line; the next call of `next` gives the first
+  /// row.
   std::string_view begin() {
     file_.clear();
     file_.seekg(0);
@@ -71,7 +72,7 @@ public:
     next(heading);
     return heading;
   }
-  /// False at the end.
+  /// Reads the next row. Returns false at the end of the file.
   bool next(std::string_view& line) {
     file_.getline(buffer_.data(), static_cast<std::streamsize>(buffer_.size()));
     const auto taken = static_cast<std::size_t>(file_.gcount());
@@ -101,13 +102,13 @@ std::vector<std::string> titles_of(std::string_view line) {
   return titles;
 }
 
-/// Number of rows, and the columns that hold words.
+/// Shape of a table: number of rows, and the columns that hold words.
 struct Shape {
   std::size_t rows = 0;
   std::vector<bool> words;
 };
 
-/// Throws HttpError when they hold more cells than fit into memory.
+/// Counts the rows. Throws HttpError when they hold more cells than `limits::table_cells`.
 std::size_t count_rows(Lines& lines, std::size_t columns) {
   std::size_t rows = 0;
   for (std::string_view line; lines.next(line);) {
@@ -118,7 +119,8 @@ std::size_t count_rows(Lines& lines, std::size_t columns) {
   return rows;
 }
 
-/// Throws HttpError when the words would not fit into memory.
+/// Finds the columns that hold words. Throws HttpError when their words are too many or too long,
+/// see `limits`.
 Shape shape_of(Lines& lines, std::size_t rows, std::size_t columns) {
   Shape shape{rows, std::vector<bool>(columns, false)};
   std::vector<std::size_t> bytes(columns, 0);

@@ -6,10 +6,10 @@
 
 namespace ionskin::apps::studio {
 
-/// A CSV file of a run as a packed message: the heading {"rows", "columns": [{"name", "unit",
-/// "texts"}]} and the columns of numbers one after the other as 64-bit floats; NaN for an empty
-/// cell. Columns of words stand in "texts" and have no numbers.
-/// Throws HttpError 413 when the file, or a row, column or cell count of it, is too large.
+/// Reads a CSV table of a run as a packed message, see `packed`: the heading {"rows", "columns":
+/// [{"name", "unit", "texts"}]} and the columns of numbers one after another as 64-bit floats, NaN
+/// for an empty cell. A column of words has its cells in "texts" and no numbers.
+/// Throws HttpError 413 when the file, a row, or the number of columns or cells is too large.
 std::string packed_table(const std::filesystem::path& path);
 
 } // namespace ionskin::apps::studio

@@ -26,13 +26,13 @@ bool is_plain(char c) {
   return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-' || c == '_' || c == '.';
 }
 
-/// True when `path` is `folder` or lies in it. Both are canonical.
+/// True if the canonical path `path` is, or lies in, the canonical path `folder`.
 bool lies_in(const fs::path& path, const fs::path& folder) {
   return std::mismatch(folder.begin(), folder.end(), path.begin(), path.end()).first ==
          folder.end();
 }
 
-/// Without "." and "..", as far as they cancel; "." for nothing.
+/// Normalises a path: removes ".", and ".." as far as it cancels; "." for an empty path.
 fs::path plain_path(const std::string& relative) {
   const fs::path path = fs::path(relative).lexically_normal();
   return path.empty() ? fs::path(".") : path.has_filename() ? path : path.parent_path();

@@ -10,15 +10,18 @@
 
 namespace ionskin::apps::studio {
 
-/// Workers of the server.
+/// Pool of worker threads that answer the server's requests, with a bounded queue.
 class BoundedPool {
 public:
+  /// Starts the threads.
+  /// @param workers number of threads
+  /// @param waiting number of tasks that may wait for a thread
   BoundedPool(std::size_t workers, std::size_t waiting);
-  /// Waits for the tasks that were enqueued.
+  /// Waits until all enqueued tasks have run.
   ~BoundedPool();
   BoundedPool(const BoundedPool&) = delete;
   BoundedPool& operator=(const BoundedPool&) = delete;
-  /// Waits while too many tasks wait.
+  /// Adds a task to the queue; blocks while the queue is full.
   void enqueue(std::function<void()> task);
 
 private:

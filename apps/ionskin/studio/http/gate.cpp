@@ -32,15 +32,16 @@ struct Gate::Connection {
   Connection(const Connection&) = delete;
   Connection& operator=(const Connection&) = delete;
 
-  /// Closed in the next turn.
+  /// Marks the connection to be closed in the next turn of `serve`.
   void end() { deadline = Clock::time_point::min(); }
 
   int socket;
   Clock::time_point deadline;
   std::atomic<std::size_t>& bodies;
   RequestReader reader;
-  bool refused = false;        ///< answered; what still comes is passed over
-  std::size_t passed_over = 0; ///< bytes
+  /// The request was refused and answered; data that still arrive are discarded.
+  bool refused = false;
+  std::size_t passed_over = 0; ///< discarded data [bytes]
   bool ready = false;
 };
 
@@ -93,7 +94,7 @@ void Gate::stop() {
   ::eventfd_write(wake_, 1); // stays readable
 }
 
-/// Waits for bytes, a connection, the next deadline or the end.
+/// Waits for data, a new connection, the next deadline, or `stop`.
 void Gate::wait() {
   std::vector<pollfd> ends{{wake_, POLLIN, 0}, {listener_, POLLIN, 0}};
   auto next = Clock::now() + std::chrono::seconds(60);
@@ -108,7 +109,8 @@ void Gate::wait() {
   }
 }
 
-/// Reads what is there. A whole request goes to a worker, and its connection with it.
+/// Reads the data that have arrived on a connection. When its request is whole, a worker takes over
+/// request and connection.
 void Gate::receive(std::shared_ptr<Connection>& connection, const Judge& judge,
                    const Answer& answer) {
   std::array<char, 65536> buffer;
@@ -197,7 +199,7 @@ void Gate::accept_all() {
   }
 }
 
-/// The oldest of those that were not admitted, or else of all.
+/// Closes the oldest connection that was not admitted, or else the oldest of all.
 void Gate::drop_oldest() {
   auto oldest = std::ranges::find_if(
       connections_, [](const auto& one) { return one->reader.stage() == Stage::head; });
@@ -209,8 +211,8 @@ void Gate::drop_oldest() {
   }
 }
 
-/// Sends a text within a time for the whole of it. False when the connection is lost, or at the
-/// end.
+/// Sends a text, for which the whole time is bounded. Returns false when the connection is lost,
+/// the time is over, or the server ends.
 bool Gate::send_all(int socket, std::string_view text) const {
   const auto deadline = Clock::now() + limits::answer_time;
   while (!text.empty()) {

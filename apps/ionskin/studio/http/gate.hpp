@@ -12,27 +12,30 @@
 
 namespace ionskin::apps::studio {
 
-/// The server's end of HTTP on the loopback. One thread reads all connections, each within a size
-/// and a time for the whole of its request, so that none keeps others waiting; workers see whole
-/// requests that were admitted. A connection serves one request.
+/// HTTP server on the loopback interface. One thread reads all connections; each request has a
+/// bounded size and time, so that a slow client does not keep others waiting. Worker threads answer
+/// requests that were admitted and have arrived whole. A connection serves one request.
 class Gate {
 public:
-  /// Admits a request by its head, as `RequestReader::Judge`; called by the thread of `serve`.
+  /// Decides by its head whether a request is admitted, see `RequestReader::Judge`; called in the
+  /// thread of `serve`.
   using Judge = RequestReader::Judge;
-  /// Answers a request that was admitted; called by the workers, and throws nothing.
+  /// Answers an admitted request; called in worker threads, and must not throw.
   using Answer = std::function<Response(Request&)>;
 
-  /// @param port of 127.0.0.1; 0 for any that is free
+  /// Opens the port.
+  /// @param port TCP port of 127.0.0.1; 0 for any free port
   /// Throws UserError when the port is taken.
   explicit Gate(int port);
   ~Gate();
   Gate(const Gate&) = delete;
   Gate& operator=(const Gate&) = delete;
 
+  /// TCP port on which the server listens.
   int port() const { return port_; }
-  /// Serves until `stop`.
+  /// Serves requests until `stop` is called.
   void serve(const Judge& judge, const Answer& answer);
-  /// May be called from another thread.
+  /// Ends `serve`; may be called from another thread.
   void stop();
 
 private:
@@ -49,9 +52,10 @@ private:
 
   int port_ = 0, listener_ = -1, wake_ = -1;
   std::atomic<bool> ends_ = false;
-  std::atomic<std::size_t> bodies_ = 0; ///< bytes of all bodies that are awaited or answered
-  std::vector<std::shared_ptr<Connection>>
-      connections_; ///< connections that are read, the oldest first
+  /// Size of all bodies that are awaited or being answered [bytes].
+  std::atomic<std::size_t> bodies_ = 0;
+  /// Connections that are read, the oldest first.
+  std::vector<std::shared_ptr<Connection>> connections_;
   std::unique_ptr<BoundedPool> workers_;
 };
 

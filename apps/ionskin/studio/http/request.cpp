@@ -13,7 +13,8 @@ namespace {
 
 constexpr std::string_view line_end = "\r\n";
 
-/// Takes the text before the separator away from the front, and the separator; all without one.
+/// Removes the text before a separator, and the separator, from the front and returns it; the whole
+/// text where there is no separator.
 std::string_view take_until(std::string_view& text, std::string_view separator) {
   const std::size_t end = text.find(separator);
   const std::string_view taken = text.substr(0, end);
@@ -25,7 +26,7 @@ bool is_letter_or_digit(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
 }
 
-/// Letters of the names of methods and headers.
+/// True if a text consists of letters that names of methods and headers may have.
 bool is_token(std::string_view text) {
   return !text.empty() && std::ranges::all_of(text, [](char c) {
     return is_letter_or_digit(c) ||
@@ -37,7 +38,7 @@ bool is_visible(char c) {
   return c > ' ' && c <= '~';
 }
 
-/// The words of a query: "+" is a blank, "%41" an "A"; other signs stand for themselves.
+/// Decodes a part of a query: "+" is a blank, "%41" is "A"; other characters stay.
 std::string decoded(std::string_view text) {
   std::string plain;
   for (std::size_t i = 0; i < text.size(); ++i) {

@@ -7,21 +7,23 @@
 
 namespace ionskin::apps::studio {
 
-/// Puts a request together from its bytes as they arrive. Nothing of a body is kept before the head
-/// was judged.
+/// Assembles one request from its bytes as they arrive. The body is stored only after the head was
+/// admitted.
 class RequestReader {
 public:
+  /// Part of the request that is awaited; `whole` when all of it has arrived.
   enum class Stage { head, body, whole };
-  /// Bytes that the body of a request with this head has. Throws HttpError when it is refused.
+  /// Decides by its head whether a request is admitted, and returns the size of its body [bytes].
+  /// Throws HttpError to refuse it.
   using Judge = std::function<std::size_t(const Request&)>;
 
-  /// Takes the next bytes; those beyond the request are passed over.
-  /// Throws HttpError: of the judge, of `parse_head`, or 431 when the head is too long.
+  /// Takes the next bytes and returns the stage; bytes beyond the request are ignored.
+  /// Throws HttpError: that of `judge`, that of `parse_head`, or 431 when the head is too long.
   Stage take(std::string_view bytes, const Judge& judge);
   Stage stage() const { return stage_; }
-  /// Complete once the stage is `whole`; from the stage `body` on, its head is there.
+  /// The request: whole at the stage `whole`; at the stage `body` only its head.
   Request& request() { return request_; }
-  /// Bytes that the body will have; 0 before the head was judged.
+  /// Size of the body [bytes]; 0 before the head was admitted.
   std::size_t body_length() const { return body_length_; }
 
 private:

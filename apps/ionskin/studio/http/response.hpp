@@ -9,24 +9,27 @@
 
 namespace ionskin::apps::studio {
 
-/// Answer to a request, always whole: ranges are not served, and nothing is compressed.
+/// Answer to an HTTP request. It is always whole: ranges are not served, and nothing is compressed.
 struct Response {
-  /// Sends some bytes. False when the connection is lost.
+  /// Function that sends bytes to the client; returns false when the connection is lost.
   using Write = std::function<bool(std::string_view)>;
 
   int status = 200;
-  std::string type; ///< of the content; empty for none
+  std::string type; ///< content type; empty for none
   std::string body;
-  std::vector<std::pair<std::string, std::string>> headers; ///< more than every answer has
-  /// When set, it sends the content bit by bit instead of `body`, until it returns.
+  /// Headers beside those that every answer has.
+  std::vector<std::pair<std::string, std::string>> headers;
+  /// Sends the content piece by piece in place of `body`, until it returns; empty for a fixed
+  /// `body`.
   std::function<void(const Write&)> stream;
 };
 
-/// The answer {"error": message}.
+/// Answer with the JSON content {"error": message}.
+/// @param status HTTP status code
 Response error_response(int status, const std::string& message);
 
-/// The head of an answer, up to the empty line and with it. Every answer forbids that pages of
-/// others show or read it, and that it is kept.
+/// Text of an answer's head, including the empty line at its end. Its headers forbid pages of other
+/// origins to show or read the answer, and browsers to store it.
 std::string head_of(const Response& response);
 
 } // namespace ionskin::apps::studio

@@ -25,7 +25,8 @@ namespace fs = std::filesystem;
 constexpr long least_version = 2; // the first that lets a file be moved to another folder
 
 constexpr std::uint64_t read = LANDLOCK_ACCESS_FS_READ_FILE | LANDLOCK_ACCESS_FS_READ_DIR;
-/// Programs are run from anywhere: they have no more rights than this one.
+/// Rights to files that Landlock controls, except the right to execute: programs may be run from
+/// anywhere, since they have no more rights than this process.
 constexpr std::uint64_t everything =
     read | LANDLOCK_ACCESS_FS_WRITE_FILE | LANDLOCK_ACCESS_FS_REMOVE_DIR |
     LANDLOCK_ACCESS_FS_REMOVE_FILE | LANDLOCK_ACCESS_FS_MAKE_CHAR | LANDLOCK_ACCESS_FS_MAKE_DIR |
@@ -39,7 +40,7 @@ void allow(int rules, int folder, std::uint64_t access) {
   }
 }
 
-/// Nothing for a folder that is not there.
+/// Adds a rule that allows access below a folder; does nothing where the folder is missing.
 void allow(int rules, const fs::path& folder, std::uint64_t access) {
   const base::FileDescriptor open(::open(folder.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC));
   if (open >= 0) {
@@ -57,8 +58,7 @@ fs::path users_folder(const char* name, const char* in_home) {
   return given.empty() ? fs::path(variable("HOME")) / in_home : fs::path(given);
 }
 
-/// Allows the program that draws reports its settings and its list of fonts, which it keeps in
-/// folders of the user's.
+/// Allows matplotlib, which draws reports, its settings and its font cache in folders of the user.
 void allow_matplotlib(int rules) {
   if (const std::string own = variable("MPLCONFIGDIR"); !own.empty()) {
     allow(rules, fs::path(own), everything);

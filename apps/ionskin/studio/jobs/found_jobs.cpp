@@ -22,8 +22,8 @@ base::FileDescriptor folder_of_records(const Workspace& workspace) {
   return open_below(workspace.folder(), fs::path(brought_records) / "jobs");
 }
 
-/// Takes the words that a record would run. Texts of the record are not shown in its place: they
-/// may tell otherwise.
+/// Takes the arguments of a record into a job, and makes the command to show from them; the texts
+/// of the record are not shown, since they may say something else.
 void take_words(const Json& record, Job& job) {
   record.at("words").get_to(job.words);
   std::vector<std::string> shown{"ionskin"};

@@ -9,20 +9,24 @@
 
 namespace ionskin::apps::studio {
 
-/// A record of a job that lies in the workspace: anybody may have put it there.
+/// Record of a job that lies in the workspace, where anybody may have put it; it is listed, and
+/// runs only when the user says so.
 struct FoundJob {
-  std::string name; ///< of its folder
-  Job job;          ///< nothing but its arguments is taken from the record; none of a damaged one
+  std::string name; ///< name of the record's folder
+  /// Job with the arguments of the record, and nothing else of it; without arguments where the
+  /// record is damaged.
+  Job job;
 };
 
-/// Finds at most `limits::found_jobs` jobs.
+/// Finds the records of jobs in the workspace, at most `limits::found_jobs`.
 std::vector<FoundJob> find_jobs(const Workspace& workspace);
 
-/// Removes the folder of a record. What a link means stays.
+/// Removes the folder of a record from the workspace. The target of a link is not removed.
 void remove_found(const Workspace& workspace, const std::string& name);
 
-/// Requires that a job may run at all, whoever recorded it: its arguments, and a case without
-/// mistakes that names no file outside. Throws HttpError with what is refused.
+/// Requires that a job may run, whoever recorded it: its arguments are those of a job, and its case
+/// has no mistakes and names no file outside the workspace. Throws HttpError with the argument or
+/// mistake that is refused.
 void require_runnable(const Workspace& workspace, const Job& job);
 
 } // namespace ionskin::apps::studio

@@ -10,33 +10,38 @@
 
 namespace ionskin::apps::studio {
 
-/// State of a job. `stopping` was asked to end; `stopped` can be resumed; `found` came with the
-/// workspace and runs only when the user says so.
+/// State of a job of the Studio. `stopping`: asked to end, still running; `stopped`: ended early,
+/// can be resumed; `found`: recorded in the workspace, runs only when the user says so.
 enum class JobState { queued, running, stopping, stopped, finished, failed, found };
 
-/// One command of ionskin that the Studio runs. Its folder among the Studio's records holds
-/// job.json, and while it runs `output` and `messages`, and end.json when it ended.
+/// Command of ionskin that the Studio runs. Its folder among the Studio's records holds job.json;
+/// while it runs also `output` and `messages`, its standard output and error; and end.json when it
+/// has ended.
 struct Job {
-  std::string id;                 ///< name of its folder
+  std::string id;                 ///< id of the job, which is the name of its folder
   std::string kind;               ///< "run", "sweep", "fit" or "report"
-  std::string folder;             ///< of the results, relative to the workspace
-  std::vector<std::string> words; ///< arguments of ionskin
-  std::string command, python;    ///< the same to copy
-  double memory = 0;              ///< memory that it needs [bytes]; 0 when not known
-  double seconds = 0;             ///< time that it is expected to take [s]; 0 when not known
+  std::string folder;             ///< folder of the results, relative to the workspace
+  std::vector<std::string> words; ///< arguments of the program ionskin
+  std::string command, python;    ///< command line, and the same in Python, for the user to copy
+  double memory = 0;              ///< estimated memory [bytes]; 0 when not known
+  double seconds = 0;             ///< estimated time of the run [s]; 0 when not known
   JobState state = JobState::queued;
-  double created = 0, started = 0, ended = 0; ///< [s] since 1970
-  ProcessId keeper;                           ///< process that watches the command
-  int exit_code = 0;
-  std::string message; ///< reason why it failed
+  /// Instants since 1970 [s]; 0 for those that have not come yet.
+  double created = 0, started = 0, ended = 0;
+  ProcessId keeper;  ///< process that runs the command and records its end, see `keep_job`
+  int exit_code = 0; ///< exit code of the command once it has ended
+  /// Reason why the job failed or was stopped; else the messages of the command.
+  std::string message;
 
+  /// True if the job waits or runs.
   bool open() const { return state <= JobState::stopping; }
 };
 
 std::string to_string(JobState state);
+/// JSON object of a job, as job.json holds it and pages get it.
 Json to_json(const Job& job);
-/// Reads job.json in a folder of the Studio's own records.
-/// Throws UserError for a record that is damaged, or of a job that is not named like its folder.
+/// Reads job.json of a job in a folder of the Studio's own records.
+/// Throws UserError when the record is damaged, or its job has another id than the folder's name.
 Job read_job(const std::filesystem::path& folder);
 
 } // namespace ionskin::apps::studio

@@ -14,8 +14,8 @@
 namespace ionskin::apps::studio {
 namespace {
 
-/// Runs the command in this process group, with the signals that the keeper ignores, confined to
-/// the working folder, which is the workspace.
+/// Runs the command and returns its exit code. It runs in this process group, receives the signals
+/// that the keeper ignores, and is confined to the working folder, the workspace.
 int run(const std::vector<std::string>& words) {
   std::vector<std::string> all{program().string()};
   all.insert(all.end(), words.begin(), words.end());

@@ -5,9 +5,11 @@
 
 namespace ionskin::apps::studio {
 
-/// Runs the command of a job to its end and writes end.json. It is a process of its own, so that
-/// the server may go and come back meanwhile: `ionskin-studio --keep FOLDER`.
-/// @param folder of the job among the Studio's records
+/// Runs the command of a job to its end and writes its exit code into end.json. It is the main
+/// function of a separate process, `ionskin-studio --keep FOLDER`, so that the server may end and
+/// start again while the job runs.
+/// @param folder folder of the job among the Studio's records
+/// @return 0, whatever the command's exit code
 int keep_job(const std::filesystem::path& folder);
 
 } // namespace ionskin::apps::studio

@@ -83,7 +83,7 @@ std::string JobQueue::add(Job job) {
   return entries_.back().job.id;
 }
 
-/// Makes a job one of the Studio's own, that waits.
+/// Gives a job an id and a folder among the Studio's records, and lets it wait in the queue.
 void JobQueue::adopt(Entry& entry) {
   entry.job.created = now();
   entry.job.state = JobState::queued;
@@ -278,7 +278,8 @@ void JobQueue::look_at(Entry& entry) {
   }
 }
 
-/// A command that does not answer the first signal gets stronger ones.
+/// Sends a stronger signal to a job that was asked to stop and has not ended: SIGTERM after 20 s,
+/// SIGKILL after 40 s.
 void JobQueue::press(Entry& entry) {
   const double waited = now() - entry.cancelled;
   if (entry.cancelled == 0) { // cancelled by an earlier server

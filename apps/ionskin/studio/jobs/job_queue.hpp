@@ -13,47 +13,54 @@
 
 namespace ionskin::apps::studio {
 
-/// The jobs of a workspace, one running at a time. They are kept in files of the user's own,
-/// outside the workspace: a new queue takes up what an earlier one left, whether it still runs,
-/// waits or was ended with the machine. Jobs that the workspace brings are listed and wait for
-/// `resume`.
+/// Queue of the jobs of a workspace, of which one runs at a time. Jobs are recorded in files of the
+/// user's own, outside the workspace, so that a new queue takes over the jobs of an earlier server,
+/// whether they run, wait or were ended with the machine. Jobs recorded in the workspace itself are
+/// listed, and wait for `resume`. All functions may be called from several threads.
 class JobQueue {
 public:
+  /// Reads the recorded jobs and starts the thread that starts and watches jobs.
+  /// @param workspace must outlive the queue
   explicit JobQueue(const Workspace& workspace);
-  /// Running jobs go on.
+  /// Ends the thread; running jobs continue.
   ~JobQueue();
   JobQueue(const JobQueue&) = delete;
   JobQueue& operator=(const JobQueue&) = delete;
 
-  /// Puts a job at the end of the queue and returns its id. Throws HttpError: 409 when it needs
-  /// more memory than is free, 429 when too many wait.
+  /// Adds a job to the end of the queue and returns its id. Throws HttpError: 409 when it needs
+  /// more memory than is free, 429 when too many jobs wait.
   std::string add(Job job);
-  /// Throws HttpError 404 and, for jobs that ended, 409.
+  /// Stops a job that runs, or takes it from the queue when it waits. Throws HttpError 404 when
+  /// there is no such job, 409 when it has ended.
   void cancel(const std::string& id);
-  /// Goes on with a job that was stopped, failed or found. What it would run is looked at first:
-  /// `require_runnable`. Throws HttpError 404, 409.
+  /// Queues a job again that was stopped, failed or found; a run continues from its finished parts.
+  /// The caller checks the job first by `require_runnable`. Throws HttpError 404 when there is no
+  /// such job, 409 when it is in another state.
   void resume(const std::string& id);
-  /// Forgets a job that does not wait or run. Throws HttpError 404, 409.
+  /// Removes the record of a job that neither waits nor runs; its results stay. Throws HttpError
+  /// 404 when there is no such job, 409 when it waits or runs.
   void remove(const std::string& id);
-  /// Throws HttpError 404.
+  /// Copy of a job. Throws HttpError 404 when there is no such job.
   Job job(const std::string& id) const;
 
-  /// All jobs with their progress, the newest first.
+  /// JSON array of all jobs with their progress, the newest first.
   Json list() const;
-  /// Grows whenever the list changes.
+  /// Version of the list of jobs, a number that grows whenever the list changes.
   std::uint64_t version() const { return version_; }
-  /// Waits until the list differs from a version, the time is over or the queue ends. False at the
-  /// end.
+  /// Waits until the list has another version than `version`, `time` is over, or the queue is
+  /// closed. Returns false when it is closed.
   bool wait(std::uint64_t version, std::chrono::milliseconds time) const;
-  /// Ends all waiting.
+  /// Ends all calls of `wait`, and the thread of the queue.
   void close();
 
 private:
   struct Entry {
     Job job;
-    Json progress;
-    double cancelled = 0;   ///< when it was asked to stop
-    std::string found = {}; ///< name of its record in the workspace
+    Json progress; ///< progress of a running job; null before
+    /// Instant at which it was asked to stop, since 1970 [s]; 0 if it was not.
+    double cancelled = 0;
+    /// Name of its record in the workspace; empty for the Studio's own jobs.
+    std::string found = {};
   };
   Entry& find(const std::string& id);
   const Entry& find(const std::string& id) const;
@@ -79,7 +86,8 @@ private:
   std::thread watcher_;
 };
 
-/// Memory that programs can have without swapping [bytes].
+/// Memory that programs can use without swapping, by the system's estimate [bytes]; 0 when it is
+/// not known.
 double available_memory();
 
 } // namespace ionskin::apps::studio

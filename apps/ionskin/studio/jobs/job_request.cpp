@@ -23,7 +23,7 @@ namespace {
 constexpr std::size_t most_values = 1000; // of one swept key
 constexpr std::size_t most_keys = 8;
 
-/// A text as Python writes it.
+/// Python literal of a text.
 std::string python_text(const std::string& text) {
   return Json(text).dump(-1, ' ', true, Json::error_handler_t::replace);
 }
@@ -35,7 +35,8 @@ bool is_number(const std::string& text) {
   return status == std::errc() && end == text.data() + text.size();
 }
 
-/// A value that stands alone on a command line: no separator of the sweep's own grammar in it.
+/// Requires that a swept value holds no separator of --over and has a sensible length. Throws
+/// HttpError 400.
 void require_value(const std::string& text) {
   const auto bad = [](char c) {
     return c == ',' || c == ':' || static_cast<unsigned char>(c) < 32;
@@ -60,8 +61,8 @@ Json list_in(const Json& request, const char* name, std::size_t most) {
   return list;
 }
 
-/// True when the case came from a file of the workspace whose text is still the same: it is run
-/// from there, and needs no new one.
+/// True if `source` is a case file of the workspace that still has this text; the job then uses the
+/// file, and needs no new one.
 bool is_text_of(const Workspace& workspace, const std::string& source, const std::string& text) {
   if (source.empty()) {
     return false;
@@ -123,7 +124,9 @@ Job report_job(const Workspace& workspace, const Json& request) {
   return job;
 }
 
-/// Everything of a run, a sweep or a fit but where its case and its results lie.
+/// Makes the job of a run, a sweep or a fit.
+/// @param file name of the case file
+/// @param folder name of the folder of the results
 Job study_job(const Workspace& workspace, const Json& request, const std::string& file,
               const std::string& folder) {
   Job job;

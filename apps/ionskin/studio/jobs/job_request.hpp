@@ -8,20 +8,22 @@
 
 namespace ionskin::apps::studio {
 
-/// The job that a page asks for: its case is checked, its names are taken, its commands filled in.
-/// What was made for it goes again with this object, unless `results` are kept. The request has
-/// "kind" and:
-///   run     "case" text, "name", optional "source" (a case file that is used when its text is the
-///           same)
-///   sweep   the same, and "over": [{"key", "values": [texts]}]
-///   fit     the same, and "data" (a CSV file of the workspace), "column", "free": [keys]
+/// Job that a page of the Studio asks for, ready to be added to the queue: its case is checked, its
+/// folder and case file are made, its command is filled in. The destructor removes the folder and
+/// the file again unless `results->keep()` was called. The request is an object with "kind" and:
+///   run     "case" (text), "name", optional "source" (a case file of the workspace, which is used
+///           in place of a new one if its text is the same)
+///   sweep   the entries of a run, and "over": [{"key", "values": [texts]}]
+///   fit     the entries of a run, and "data" (a CSV file of the workspace), "column", "free":
+///           [keys]
 ///   report  "path" of a run or a sweep
-/// With "dry": true nothing is made: for the commands alone.
+/// With "dry": true no file is made, for a page that only shows the command.
 struct RequestedJob {
   /// Throws HttpError: 400 for a request that makes no sense, 422 for a case with mistakes.
   RequestedJob(const Workspace& workspace, const Json& request);
 
   Job job;
+  /// Folder and case file that were made; nullopt for a report and for a dry request.
   std::optional<NewResults> results;
 };
 

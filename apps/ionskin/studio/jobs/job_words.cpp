@@ -20,7 +20,8 @@ constexpr std::array kinds{"run", "sweep", "fit", "report"};
       422, fmt::format("the Studio runs no command with the argument {}", base::shown(word)));
 }
 
-/// The folder may be missing yet.
+/// Requires that a name is that of a folder for results in the workspace; it may not exist yet.
+/// Throws HttpError.
 void require_results(const Workspace& workspace, const std::string& name) {
   workspace.place(name);
   try {
@@ -34,7 +35,8 @@ void require_results(const Workspace& workspace, const std::string& name) {
   }
 }
 
-/// "key=value,value" of a sweep: values of keys that name files are files of the workspace.
+/// Requires that the value "key=value,value" of --over names only files of the workspace, where the
+/// values of the key are names of files. Throws HttpError.
 void require_swept(const Workspace& workspace, const std::string& word) {
   const std::size_t equals = word.find('=');
   if (equals == std::string::npos) {
@@ -50,8 +52,8 @@ void require_swept(const Workspace& workspace, const std::string& word) {
   }
 }
 
-/// Requires that the value of an option names nothing outside the workspace. Keys and columns name
-/// no files.
+/// Requires that an option is known and that its value names nothing outside the workspace. Keys
+/// and columns name no files. Throws HttpError.
 void require_option(const Workspace& workspace, const std::string& option,
                     const std::string& value) {
   if (option == "-o") {

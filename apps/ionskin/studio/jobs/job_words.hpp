@@ -8,15 +8,16 @@
 
 namespace ionskin::apps::studio {
 
-/// Arguments of a job. The Studio runs no others.
+/// Arguments of a job that `require_inside` allowed; the Studio runs no other commands.
 struct JobWords {
   std::string kind;    ///< "run", "sweep", "fit" or "report"
-  std::string subject; ///< the case file, or the folder that is reported on
-  std::string folder;  ///< of the results
+  std::string subject; ///< name of the case file, or of the folder of which a report is made
+  std::string folder;  ///< name of the folder of the results
 };
 
-/// Takes the arguments of a job apart and looks at every file and folder they name: it lies in the
-/// workspace, and no link leads to it.
+/// Parses the arguments of a job, and requires that every file and folder they name lies in the
+/// workspace and is reached without a link.
+/// @param words arguments of the program ionskin
 /// Throws HttpError 403, 404 or 422 with the argument that is refused.
 JobWords require_inside(const Workspace& workspace, const std::vector<std::string>& words);
 

@@ -26,7 +26,7 @@ std::string content(const char* path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-/// Start time of a process in ticks since boot; empty when it is gone or only waits to be reaped.
+/// Start time of a process, in ticks since boot, as text; empty when the process has ended.
 std::string start_ticks(pid_t pid) {
   const std::string stat = content(("/proc/" + std::to_string(pid) + "/stat").c_str());
   const std::size_t name_end = stat.rfind(')'); // names may hold blanks and parentheses
@@ -39,7 +39,7 @@ std::string start_ticks(pid_t pid) {
   return words.size() > start && words[state] != "Z" ? words[start] : "";
 }
 
-/// Only calls that are safe between fork and exec.
+/// Turns the forked child into the program. Uses only calls that are safe between fork and exec.
 [[noreturn]] void become(char* const* words, int folder, int input, int output, int errors,
                          std::size_t memory, const Confinement* confinement) {
   setsid();
@@ -89,7 +89,8 @@ int open_to_write(const std::filesystem::path& path) {
   return file;
 }
 
-/// Reads what is there. False at the end.
+/// Reads available data from a pipe and appends them to `text`, up to `limits::child_output`.
+/// Returns false at the end of the pipe.
 bool take(int file, std::string& text) {
   std::array<char, 65536> buffer{};
   const ssize_t count = ::read(file, buffer.data(), buffer.size());
@@ -99,7 +100,8 @@ bool take(int file, std::string& text) {
   return count > 0 || (count < 0 && errno == EINTR);
 }
 
-/// Reads both ends until they close or the time is over. True when they closed.
+/// Reads the output pipes of a program until they close or the time is over. Returns true when they
+/// closed.
 bool drain(std::array<pollfd, 2> ends, Outcome& outcome,
            std::chrono::steady_clock::time_point end) {
   std::array<std::string*, 2> texts{&outcome.output, &outcome.errors};

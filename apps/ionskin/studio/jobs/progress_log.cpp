@@ -23,7 +23,7 @@ std::string end_of(const std::filesystem::path& path) {
   return text;
 }
 
-/// Progress that a line reports; nothing for any other line.
+/// Reads the progress that a line reports; nullopt for any other line.
 std::optional<base::Json> progress_in(const std::string& line) {
   const auto entry = line.starts_with('{') ? base::parse_json(line) : std::nullopt;
   const auto number = [&](const char* name) {

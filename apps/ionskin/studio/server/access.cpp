@@ -24,7 +24,8 @@ std::string random_token() {
   return text;
 }
 
-/// Takes the same time wherever the texts differ.
+/// True if two texts are equal. The comparison takes the same time wherever they differ, so that
+/// timing tells nothing of a secret.
 bool equal(const std::string& one, const std::string& two) {
   if (one.size() != two.size()) {
     return false;

@@ -8,21 +8,28 @@
 
 namespace ionskin::apps::studio {
 
-/// Access to the server: a browser that opened the one-time link, from its own page.
+/// Access control of the server: only a browser that opened the Studio's one-time link, and only
+/// requests from its own page, are answered.
 class Access {
 public:
+  /// Makes a random link and a random cookie.
+  /// @param port TCP port of the server
   explicit Access(int port);
 
-  /// The path of the link: it opens the page once and gives the browser its cookie.
+  /// Path of the one-time link. Opening it shows the page and gives the browser its cookie; it
+  /// works once.
   const std::string& link_path() const { return link_path_; }
 
-  /// Throws HttpError 403 when the request was sent for another host, or by another page: DNS
-  /// rebinding, cross-site requests. Any page may lead to the link: one has to know it.
+  /// Requires that a request was sent to this server by its own page. Throws HttpError 403 when it
+  /// names another host (DNS rebinding) or comes from another page (cross-site request). A request
+  /// of the unused link may come from any page, since the link is secret.
   void require_own_origin(const Request& request) const;
+  /// True if the request has the cookie that the link gave.
   bool has_cookie(const Request& request) const;
-  /// True if the request gets the link, and the link was not used before.
+  /// True if the request opens the link, and the link was not used before.
   bool opens(const Request& request) const;
-  /// The value of Set-Cookie when this gets the link and it was not used before; else empty.
+  /// Uses the link: returns the value of the header Set-Cookie if the request opens the link for
+  /// the first time; else an empty text.
   std::string redeem(const Request& request);
 
 private:

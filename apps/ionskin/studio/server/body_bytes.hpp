@@ -7,8 +7,8 @@
 
 namespace ionskin::apps::studio {
 
-/// Number of bytes that the body of a request has. Throws HttpError for bodies that are too large,
-/// of unknown length or type, or packed.
+/// Size of the body of a request, by its head [bytes]. Throws HttpError when the body is too large,
+/// is compressed, or has an unknown length or type.
 std::size_t body_bytes(const Request& head);
 
 } // namespace ionskin::apps::studio

@@ -6,7 +6,7 @@
 
 namespace ionskin::apps::studio {
 
-/// A request that is answered with an error: its status, and a message for the reader.
+/// Exception that ends a request with an HTTP error: status code, and a message for the user.
 class HttpError : public std::runtime_error {
 public:
   HttpError(int status, const std::string& message)

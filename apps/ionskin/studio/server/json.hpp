@@ -11,14 +11,16 @@ namespace ionskin::apps::studio {
 
 using base::Json;
 
+/// Content type of JSON answers.
 inline constexpr const char* json_type = "application/json; charset=utf-8";
 
-/// JSON text whatever bytes file names hold.
+/// Text of a JSON value. Bytes that are not UTF-8, as names of files may hold, are replaced.
 inline std::string dump(const Json& value) {
   return value.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-/// The body of a request. Throws HttpError 400 when it is not a JSON object, or nested too deeply.
+/// Parses the body of a request, a JSON object. Throws HttpError 400 when it is anything else, or
+/// nested too deeply.
 inline Json parse_object(std::string_view text) {
   auto value = base::parse_json(text);
   if (!value || !value->is_object()) {
@@ -27,7 +29,8 @@ inline Json parse_object(std::string_view text) {
   return *std::move(value);
 }
 
-/// A text of a request, or the default when it is missing. Throws HttpError 400 for other types.
+/// Text in a member of a request, or `otherwise` when the member is missing or null. Throws
+/// HttpError 400 when it has another type.
 inline std::string text_of(const Json& object, const char* name,
                            const std::string& otherwise = "") {
   const auto entry = object.find(name);

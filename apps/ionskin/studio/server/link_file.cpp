@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A new folder that nobody else can enter.
+/// Makes a new folder that only this user can enter.
 fs::path own_folder() {
   const char* const runtime = std::getenv("XDG_RUNTIME_DIR");
   const bool usable =

@@ -6,11 +6,13 @@
 
 namespace ionskin::apps::studio {
 
-/// A page that leads to a link, and that only the user can read: every user of the computer sees
-/// the words that a browser is started with. It is there as long as the object.
+/// File with an HTML page that leads to the one-time link, which only the user can read. A browser
+/// is started with the name of this file, since every user of the computer can see the arguments of
+/// a process. The destructor removes the file.
 class LinkFile {
 public:
-  /// In XDG_RUNTIME_DIR, or else where temporary files lie. Throws std::system_error.
+  /// Writes the file in XDG_RUNTIME_DIR, or else in the folder of temporary files. Throws
+  /// std::system_error.
   explicit LinkFile(const std::string& link);
   ~LinkFile();
   LinkFile(const LinkFile&) = delete;

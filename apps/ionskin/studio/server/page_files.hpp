@@ -6,13 +6,13 @@
 
 namespace ionskin::apps::studio {
 
-/// A file of the page, compiled into the program.
+/// File of the Studio's page, compiled into the program.
 struct PageFile {
   std::string_view content;
-  const char* type = "";
+  const char* type = ""; ///< content type
 };
 
-/// The file at "/", "/app.js" or "/app.css"; no content for other paths.
+/// Finds the file at the path "/", "/app.js" or "/app.css"; empty content for other paths.
 PageFile page_file(const std::string& path);
 
 } // namespace ionskin::apps::studio

@@ -8,7 +8,7 @@
 
 namespace ionskin::apps::studio {
 
-/// Cases: keys, checks, edits, the gallery.
+/// Adds the calls on cases: keys, checks, edits, the gallery.
 void Server::serve_case_calls() {
   get("/api/keys",
       [](const Request&, Response& response) { send(response, keys_json(), json_type); });

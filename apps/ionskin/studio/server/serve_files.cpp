@@ -16,7 +16,7 @@ bool is_text(const fs::path& path) {
   return path.extension() == ".toml" || path.extension() == ".csv" || path.extension() == ".json";
 }
 
-/// Cases and measurements that lie in the workspace itself.
+/// Lists the case files and CSV files in the workspace folder itself, {"cases", "data"}.
 Json list_files(const Workspace& workspace) {
   std::vector<std::string> cases, data;
   std::error_code error;
@@ -37,7 +37,8 @@ Json list_files(const Workspace& workspace) {
   return {{"cases", cases}, {"data", data}};
 }
 
-/// The text of an ordinary file that a request names.
+/// Reads an ordinary file that a request names. Throws HttpError 404 for anything but a file.
+/// @param most largest size [bytes]
 std::string file_text(const Workspace& workspace, const std::string& path, std::size_t most) {
   const Opened opened = workspace.open(path);
   if (!is_file(opened.file)) {
@@ -48,7 +49,7 @@ std::string file_text(const Workspace& workspace, const std::string& path, std::
 
 } // namespace
 
-/// Files of the workspace: cases and measurements, and what a run wrote, to save.
+/// Adds the calls on files of the workspace: list, text, download, upload.
 void Server::serve_file_calls() {
   get("/api/files", [this](const Request&, Response& response) {
     Json all = list_files(workspace_);

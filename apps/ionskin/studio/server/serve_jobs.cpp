@@ -8,7 +8,7 @@
 
 namespace ionskin::apps::studio {
 
-/// Jobs: start, follow, cancel, resume, forget.
+/// Adds the calls on jobs: start, follow, cancel, resume, remove.
 void Server::serve_job_calls() {
   get("/api/jobs",
       [this](const Request&, Response& response) { send_json(response, jobs_.list()); });
@@ -45,7 +45,7 @@ void Server::serve_job_calls() {
   get("/api/events", [this](const Request&, Response& response) { serve_events(response); });
 }
 
-/// Server-sent events: the list of jobs whenever it changes.
+/// Streams the list of jobs as server-sent events, whenever it changes.
 void Server::serve_events(Response& response) {
   if (++listeners_ > limits::listeners) {
     --listeners_;

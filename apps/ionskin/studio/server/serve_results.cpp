@@ -16,7 +16,7 @@ namespace {
 
 constexpr const char* numbers = "application/octet-stream";
 
-/// A file of a run.
+/// Opens a file in the folder of results that a request names.
 Opened file_of(const Workspace& workspace, const Request& request, const std::string& name) {
   Opened opened = workspace.open(request.parameter("path") + "/" + name);
   if (!is_file(opened.file)) {
@@ -25,7 +25,8 @@ Opened file_of(const Workspace& workspace, const Request& request, const std::st
   return opened;
 }
 
-/// A folder of results without a link, which another program would follow out of the workspace.
+/// Opens a folder of results and requires that no link in it would lead another program out of the
+/// workspace.
 Opened plain_folder(const Workspace& workspace, const std::string& path) {
   Opened opened = workspace.open(path);
   std::error_code error;
@@ -51,7 +52,8 @@ std::string compare(const Workspace& workspace, const Request& request) {
 
 } // namespace
 
-/// Results: the list, what a folder holds, tables and fields, differences.
+/// Adds the calls on results: list, contents of a folder, tables and fields, differences of two
+/// runs.
 void Server::serve_result_calls() {
   // Pages name an empty icon; a browser may ask before it has read them.
   get("/favicon.ico", [](const Request&, Response& response) { response.status = 204; });

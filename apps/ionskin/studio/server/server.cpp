@@ -14,7 +14,9 @@ namespace {
 
 constexpr std::string_view link_folder = "/open/";
 
-/// Takes the number out of a path: "/api/jobs/7/cancel" is the call "/api/jobs/ID/cancel".
+/// Replaces the number of a job in a path by ID and returns the path: "/api/jobs/7/cancel" becomes
+/// "/api/jobs/ID/cancel".
+/// @param id set to the number
 std::string call_of(const std::string& path, std::string& id) {
   constexpr std::string_view jobs = "/api/jobs/";
   if (!path.starts_with(jobs)) {
@@ -67,7 +69,8 @@ void Server::stop() {
   gate_.stop();
 }
 
-/// Bytes of the body of a request that may be answered. Throws HttpError for others.
+/// Decides whether a request may be answered, and returns the size of its body [bytes]. Throws
+/// HttpError to refuse it.
 std::size_t Server::admit(const Request& head) const {
   access_.require_own_origin(head);
   const bool known = access_.has_cookie(head);
@@ -81,7 +84,7 @@ std::size_t Server::admit(const Request& head) const {
   return body_bytes(head);
 }
 
-/// An exception of an answer becomes its status and a message.
+/// Answers a request; an exception becomes an answer with its status and message.
 Response Server::answer(Request& request) {
   try {
     Response response;
@@ -114,7 +117,8 @@ void Server::route(Request& request, Response& response) {
   answer->second(request, response);
 }
 
-/// The link: gives the cookie once, and leads to the page.
+/// Answers a request of the one-time link: gives the browser the cookie once, and leads it to the
+/// page.
 void Server::open(const Request& request, Response& response) {
   const std::string cookie = access_.redeem(request);
   if (!cookie.empty()) {

@@ -18,22 +18,25 @@
 
 namespace ionskin::apps::studio {
 
-/// Answers the page and its calls. Whatever a request is, `admit` is passed first: host, origin,
-/// cookie, size of the body.
+/// Server of the Studio: answers requests for the page and its calls. Every request must first pass
+/// `admit`, which checks host, origin, cookie and the size of the body.
 class Server {
 public:
-  /// @param port 0 for any that is free
+  /// Opens the port.
+  /// @param workspace and jobs must outlive the server
+  /// @param port TCP port of 127.0.0.1; 0 for any free port
   /// Throws UserError when the port is taken.
   Server(Workspace& workspace, JobQueue& jobs, int port);
 
-  /// The link that opens the page once.
+  /// URL of the one-time link that opens the page.
   std::string link() const;
-  /// A page that only the user can read and that leads to the link; it is there until the link is
-  /// used or the server ends. Called before `listen`. Throws std::system_error.
+  /// Writes an HTML file that leads to the link and that only the user can read, see `LinkFile`,
+  /// and returns its path. The file exists until the link is used or the server ends. Must be
+  /// called before `listen`. Throws std::system_error.
   std::filesystem::path link_file();
-  /// Serves until `stop`.
+  /// Serves requests until `stop` is called.
   void listen();
-  /// May be called from another thread.
+  /// Ends `listen`; may be called from another thread.
   void stop();
 
 private:
@@ -56,12 +59,14 @@ private:
   Gate gate_;
   Access access_;
   std::optional<LinkFile> link_file_;
-  std::map<std::string, std::map<std::string, Answer>> calls_; ///< by path, by method
+  /// Functions that answer, by path and method; a number of a job in a path is written ID.
+  std::map<std::string, std::map<std::string, Answer>> calls_;
   std::atomic<std::size_t> listeners_ = 0;
 };
 
-/// Answers with content of a type.
+/// Sets the content and its type of an answer with status 200.
 void send(Response& response, std::string content, const char* type);
+/// Sets the content of an answer to a JSON value.
 void send_json(Response& response, const Json& value);
 
 } // namespace ionskin::apps::studio

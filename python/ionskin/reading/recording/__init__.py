@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A path of waypoints from what a robot recorded."""
+"""Paths of waypoints for the slider, made from recordings of a robot."""
 
 from .making import motion
 from .path import Path

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Channels over time: repeated stamps, rows without values, resampling, a filter without delay."""
+"""Channels (recorded signals over one time): removal of unusable rows, resampling, a low-pass without delay."""
 
 import numpy
 
@@ -9,10 +9,10 @@ MOST_ROWS = 1_000_000  # waypoints of a path
 
 
 class Channels:
-    """Channels over one time.
+    """Channels of a recording: signals over one time.
 
-    time    [rows], s, strictly ascending, the first at 0
-    values  by name: array [rows] or [rows, parts]
+    time    array [rows]: strictly ascending instants, the first at 0 [s]
+    values  dict of name to array [rows], or [rows, parts] for a vector
     """
 
     def __init__(self, time, values):
@@ -20,7 +20,12 @@ class Channels:
 
     @classmethod
     def cleaned(cls, time, values, notes):
-        """Leaves out rows without a number, sorts, averages rows of one stamp. Raises CaseError."""
+        """Makes channels of raw rows: leaves out rows that lack a number, sorts by time, averages rows of one instant.
+
+        notes  list to which a sentence on each change is added
+
+        Raises CaseError when fewer than two instants are left.
+        """
         known = numpy.isfinite(time)
         for one in values.values():
             known &= numpy.isfinite(one if one.ndim == 1 else one.sum(axis=1))
@@ -47,11 +52,14 @@ class Channels:
         return cls(instants - instants[0], values)
 
     def at(self, time):
-        """The channels at other instants, linear between the rows."""
+        """Interpolates the channels linearly at the instants `time` [s] and returns them as Channels."""
         return Channels(time, {name: _interpolated(time, self.time, one) for name, one in self.values.items()})
 
     def resampled(self, rate):
-        """At equal steps of 1 / rate [s], from the first row to the last. Raises CaseError."""
+        """Resamples the channels at equal steps of 1 / rate, from the first row to the last; rate in Hz.
+
+        Raises CaseError when this makes too many rows.
+        """
         count = self.time[-1] * rate
         if count > MOST_ROWS:
             raise CaseError(f"--rate {rate:.6g} Hz makes {count:.0f} rows of {self.time[-1]:.6g} s\n"
@@ -60,9 +68,10 @@ class Channels:
         return self.at(time if self.time[-1] - time[-1] < 1e-9 else numpy.append(time, self.time[-1]))
 
     def filtered(self, frequency):
-        """Gaussian low-pass with half the power at the frequency [Hz], without delay; ends are held.
+        """Filters the channels by a Gaussian low-pass without delay, which has half the power at the frequency [Hz].
 
-        Raises CaseError.
+        Beyond its ends the recording is continued by its end values. Raises CaseError when the frequency is too high or too low
+        for the recording.
         """
         step = float(numpy.median(numpy.diff(self.time)))
         deviation = numpy.sqrt(numpy.log(2)) / (2 * numpy.pi * frequency) / step

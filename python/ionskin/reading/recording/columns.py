@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Roles of the columns of a recording: by the names that robots, ROS and force sensors give."""
+"""Columns of a recording, and their roles by the names that robots, ROS and force sensors give them."""
 
 import os
 import re
@@ -34,7 +34,15 @@ STAMPS = ((1e17, "ns"), (1e14, "us"), (1e11, "ms"))  # an epoch above the first 
 
 
 class Column:
-    """One column: values [rows] as distances from `first`, in `unit` or None; values is None where `text` stands in `line`."""
+    """Column of a recording.
+
+    name    title without the unit
+    unit    unit of the title; None without one
+    first   first value, in the unit
+    values  array [rows]: differences to the first value, in the unit; None for a column that does not hold numbers
+    text    first cell that is not a number, where there is one, and
+    line    its line in the file; 0 without one
+    """
 
     def __init__(self, name, unit, first, values, text="", line=0):
         if unit is not None and unit.isdigit():  # O_T_EE[12] is an entry, no unit
@@ -43,7 +51,12 @@ class Column:
         self.text, self.line = text, line
 
     def si(self, target, default):
-        """Values in the SI unit `target`, as distances from the first, and the first. Raises CaseError."""
+        """Converts to the SI unit `target`: array [rows] of differences to the first value, and the first value.
+
+        default  unit of a column without one
+
+        Raises CaseError when the unit does not convert.
+        """
         unit, convert = self.unit or default, solver.load().convert_unit
         zero, one = convert(0.0, unit, target), convert(1.0, unit, target)
         if one is None:
@@ -53,14 +66,15 @@ class Column:
 
 
 def read(path) -> list[Column]:
-    """Every column of a file. Raises CaseError."""
+    """Reads all columns of a CSV file. Raises CaseError."""
     return [Column(*one) for one in solver.load().number_table(os.fsencode(path), "recording")]
 
 
 def assign(columns, wanted) -> dict[str, Column]:
-    """A column for each role that is there.
+    """Finds the column of each role, as a dict of role to Column; roles without a column are left out.
 
-    wanted  "ROLE=NAME" or "ROLE=NAME [unit]"; they come before the names that are known
+    columns  all columns of the recording
+    wanted   texts "ROLE=NAME" or "ROLE=NAME [unit]" of the user, which take precedence over known names
 
     Raises CaseError for a role or a name that is unknown, and for a column of text or of another unit.
     """
@@ -93,7 +107,7 @@ def assign(columns, wanted) -> dict[str, Column]:
 
 
 def _require_none(columns, role):
-    """Refuses columns whose name tells the role, but whose cells or unit cannot be it. Raises CaseError."""
+    """Raises CaseError for a column whose name means the role, but whose cells or unit do not fit."""
     for one in columns:
         if not any(re.fullmatch(pattern, one.name) for pattern in NAMES[role]):
             continue
@@ -111,7 +125,7 @@ def _no_numbers(column):
 
 
 def _may_be(role, column):
-    """Tx [N m] is a torque, tx [m] a place."""
+    """True if the unit of a column fits the role: tx [m] may be a position, Tx [N m] is a torque."""
     if column.unit is None:
         return True
     target = _unit_of(role)
@@ -123,13 +137,13 @@ def _unit_of(role):
 
 
 def unit_by_name(column):
-    """The unit that a name ends in, as pos_mm does; None without one."""
+    """Unit at the end of a column's name: "mm" for pos_mm; None without one."""
     match = SUFFIXES.fullmatch(column.name)
     return {"n": "N"}.get(match[1], match[1]) if match else None
 
 
 def instants(found, notes):
-    """Seconds since the first stamp, and that stamp. Raises CaseError where there is no time."""
+    """Array [rows] of seconds since the first time stamp, and that stamp [s]. Raises CaseError without a column of times."""
     if "seconds" in found and "nanoseconds" in found:
         seconds, nanoseconds = found["seconds"], found["nanoseconds"]
         notes.append(f"time: {seconds.name} and {nanoseconds.name}")
@@ -145,7 +159,11 @@ def instants(found, notes):
 
 
 def vector(found, roles, target, default, notes):
-    """The columns of the roles side by side, [rows, roles] in SI; None where one is missing."""
+    """Columns of several roles as an array [rows, roles] in the SI unit `target`; None where a role is missing.
+
+    default  unit of columns without one
+    notes    list to which a sentence on each column is added
+    """
     if any(role not in found for role in roles):
         return None
     parts = []

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""When a recorded finger touches, by a force with noise about zero."""
+"""Contact of a recorded finger with the skin, found by a normal force [N] that has noise about zero."""
 
 import numpy
 
@@ -7,26 +7,31 @@ FEW = 20  # rows, which tell no noise
 
 
 def noise(force):
-    """Deviation of the noise of one row [N]: of the bends between neighbours, most of which are nothing else; 0 for few."""
+    """Standard deviation of the noise of a force [rows] [N], by its second differences,
+    most of which are noise; 0 for few rows."""
     return 1.4826 * float(numpy.median(numpy.abs(numpy.diff(force, 2)))) / numpy.sqrt(6) if len(force) >= FEW else 0.0
 
 
 def rest_level(force):
-    """Force at rest: that of the rows with the least force, which a finger off the skin has [N]."""
+    """Force at rest [N]: median of the rows with the least force, in which the finger is off the skin."""
     return float(numpy.median(force[force <= numpy.quantile(force, 0.1) + 3 * noise(force)]))
 
 
 def threshold(force):
-    """Above the level at rest, beyond its noise: five deviations, or a fiftieth of the largest force [N]."""
+    """Force above the level at rest from which the finger touches [N].
+
+    It is the larger of five standard deviations of the noise and 1/50 of the largest force above the level at rest.
+    """
     level = rest_level(force)
     return max(5 * noise(force), 0.02 * (float(force.max()) - level))
 
 
 def compresses(force, zeroed):
-    """True where the force counts compression as positive: by its largest value, or, where it begins and ends at one
-    level far from 0, as with the weight of a tool, by what departs most from there.
+    """True if compression is positive in a recorded force, which the largest departure from the level at rest decides.
 
-    zeroed  whether 0 is known to be no force
+    The level is 0, or where the force begins and ends far from 0, as with the weight of a tool, the value there.
+
+    zeroed  True if 0 is known to mean no force
     """
     most, ends = numpy.abs(force).max(), max(1, len(force) // 20)
     first, last = float(numpy.median(force[:ends])), float(numpy.median(force[-ends:]))
@@ -36,9 +41,10 @@ def compresses(force, zeroed):
 
 
 def touching(force, above):
-    """Array of truths [rows]: from where the force rises above `above` until it falls below half of it.
+    """True in rows [rows] in which the finger touches: from a force larger than `above` [N] until it falls below half
+    of it.
 
-    force  above the level at rest [N]
+    force  array [rows] of the force above the level at rest [N]
     """
     high, low = force > above, force > 0.5 * above
     state, result = False, numpy.empty(len(force), dtype=bool)
@@ -49,6 +55,6 @@ def touching(force, above):
 
 
 def parts(touches):
-    """(first, behind the last) of each run of rows that touches."""
+    """Spans of contact, as a list of (first row, row behind the last); `touches` is an array [rows] of booleans."""
     edges = numpy.flatnonzero(numpy.diff(numpy.concatenate(([False], touches, [False])).astype(int)))
     return list(zip(edges[::2].tolist(), edges[1::2].tolist()))

@@ -8,7 +8,13 @@ from ...errors import CaseError
 
 
 def quantity(text, unit, name, default=None):
-    """A number of a text such as "32 mm", in the SI unit. Raises CaseError."""
+    """Reads a quantity from a text such as "32 mm" and returns it in the unit `unit`.
+
+    name     name of the option in messages
+    default  unit of a number without one; None where a unit is required
+
+    Raises CaseError when it is not such a quantity.
+    """
     parts = str(text).strip().split(None, 1)
     try:
         value = float(parts[0]) if parts and _splits(parts[0]) else None
@@ -35,7 +41,7 @@ def _splits(text):
 
 
 def point(text, name):
-    """Three lengths [m]: "0.4 m, -0.1 m, 32 mm", or numbers in metres. Raises CaseError."""
+    """Reads a point, as an array [3] [m], from a text "0.4 m, -0.1 m, 32 mm" or three numbers [m]. Raises CaseError."""
     parts = text.split(",") if isinstance(text, str) else list(text)
     if len(parts) != 3:
         raise CaseError(f"{name} = {text!r}: three lengths are wanted\n  = such as \"0.4 m, -0.1 m, 32 mm\"")
@@ -43,7 +49,11 @@ def point(text, name):
 
 
 def axes(x_axis, y_axis):
-    """Rows: the directions of the skin's x, y and normal in the recording's frame. Raises CaseError."""
+    """Rotation matrix [3, 3] from the frame of the recording to the skin: its rows are the skin's x, y and normal, unit
+    vectors.
+
+    Raises CaseError when the axes are not perpendicular.
+    """
     rows = []
     for text, name in ((x_axis, "--x-axis"), (y_axis, "--y-axis")):
         parts = text.split(",") if isinstance(text, str) else list(text)
@@ -60,7 +70,7 @@ def axes(x_axis, y_axis):
 
 
 def turned(quaternions, vectors):
-    """Vectors turned by quaternions.
+    """Rotates vectors by quaternions, as an array [rows, 3].
 
     quaternions  array [rows, 4]: x, y, z, w of any length but 0
     vectors      array [3] or [rows, 3]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Making of a path from a recording: frame, force, contact."""
+"""Conversion of a recording to a path of waypoints: coordinate frame, normal force, spans of contact."""
 
 import os
 
@@ -16,21 +16,25 @@ LEAD = 0.1  # s before a recording that begins on the skin
 
 def motion(recordings, *, columns=(), origin=(0, 0, 0), x_axis=(1, 0, 0), y_axis=(0, 1, 0), tool=None, force_in="skin",
            level="auto", contact_force=None, tare=False, gap="1 mm", rate=None, filter=None) -> Path:
-    """A path from a recording, or from several of one clock: the first gives the instants.
+    """Makes a Path of waypoints for the slider from recordings of a robot: position, and height or normal force.
 
-    columns        "ROLE=NAME [unit]" where a name does not say it; roles: time, x, y, z, height, qx, qy, qz, qw, fx, fy,
-                   fz, force
-    origin         corner (0, 0) of the skin's top face in the recording's frame, in metres or with units
-    x_axis, y_axis directions of the skin's x and y there
-    tool           tip of the finger from the tracked point, in the frame that the quaternion turns
-    force_in       "skin": fz is along the skin's normal; "recording", "tool": the frame of fx, fy, fz
-    level          "auto": force where the finger touches, height elsewhere; "height", "force": the one alone
-    contact_force  above which it touches; else above the noise
-    tare           subtracts the force at rest
-    gap            height where none is recorded
-    rate, filter   resampling, and a low-pass without delay ("100 Hz")
+    recordings     CSV file, or several of one clock, of which the first gives the instants
+    columns        texts "ROLE=NAME [unit]" for columns whose names do not tell what they are; roles: time, x, y, z, height, qx,
+                   qy, qz, qw (quaternion), fx, fy, fz, force
+    origin         corner (0, 0) of the skin's top face in the frame of the recording: numbers [m], or a text with units
+    x_axis, y_axis directions of the skin's x and y in the frame of the recording; they must be perpendicular
+    tool           position of the finger's tip relative to the tracked point, in the frame that the quaternion turns: numbers
+                   [m], or a text with units; None where the tip itself is tracked
+    force_in       frame of fx, fy, fz: "skin" (fz is along the skin's normal), "recording" or "tool"
+    level          "auto": force where the finger touches, height elsewhere; "height": only heights; "force": force where the
+                   finger touches, the height `gap` elsewhere
+    contact_force  normal force above which the finger touches, as text with a unit; None: a threshold above the noise
+    tare           True to subtract the force at rest
+    gap            height off the skin where none is recorded, as text with a unit
+    rate           frequency at which the recording is resampled, such as "100 Hz"; None to keep the rows
+    filter         cut-off frequency of a low-pass without delay, such as "20 Hz"; None for no filter
 
-    Raises CaseError.
+    Raises CaseError when a file or an argument cannot be used.
     """
     notes = []
     channels = merged([recordings] if isinstance(recordings, (str, os.PathLike)) else list(recordings), columns, notes)
@@ -73,7 +77,11 @@ def _positive(value, name):
 
 
 def _on_skin(channels, origin, x_axis, y_axis, tool):
-    """Places [rows, 2] and heights, or None, in the frame of the skin. Raises CaseError."""
+    """Positions [rows, 2] and heights [rows] of the finger's tip in the frame of the skin [m]; heights are None without
+    z or height.
+
+    Raises CaseError.
+    """
     values, turn = channels.values, frame.axes(x_axis, y_axis)
     place = values.get("place")
     if place is None:
@@ -91,7 +99,7 @@ def _on_skin(channels, origin, x_axis, y_axis, tool):
 
 
 def _normal_force(channels, x_axis, y_axis, force_in, zeroed, notes):
-    """Compression positive; None where no force is recorded. Raises CaseError."""
+    """Normal force on the skin [rows] [N], compression positive; None where no force is recorded. Raises CaseError."""
     values = channels.values
     if "force" in values or "forces" not in values:
         force = values.get("force")
@@ -118,7 +126,10 @@ def _inverse(turn):
 
 
 def _by_force(force, height, gap, contact_force, tare, notes):
-    """Height off the skin and force on it, each not a number where the other leads. Raises CaseError."""
+    """Height [rows] [m] off the skin and force [rows] [N] on it; each is NaN in rows in which the other is prescribed.
+
+    Raises CaseError.
+    """
     above, rest = contact.threshold(force), contact.rest_level(force)
     if contact_force is not None:
         above = _positive(frame.quantity(contact_force, "N", "--contact-force"), "--contact-force")

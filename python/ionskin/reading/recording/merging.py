@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Recordings of one clock, read and laid side by side."""
+"""Merging of several recordings of one clock into channels over one time."""
 
 import numpy
 
@@ -9,7 +9,7 @@ from .channels import Channels
 
 
 def _recording(path, wanted, notes):
-    """Channels of one file by the roles that they play, and the first stamp [s]."""
+    """Reads one file: Channels named by their roles, and the first time stamp [s]."""
     notes.append(f"{path}:")
     known = columns.read(path)
     there = {one.name for one in known}
@@ -41,15 +41,19 @@ def _recording(path, wanted, notes):
 
 
 def _continuous(turn):
-    """q and -q are one turn, and must not be averaged."""
+    """Flips signs of quaternions [rows, 4] so that neighbours can be averaged: q and -q are the same rotation."""
     against = numpy.sum(turn[1:] * turn[:-1], axis=1) < 0
     return turn * numpy.where(numpy.concatenate(([0], numpy.cumsum(against))) % 2, -1, 1)[:, None]
 
 
 def merged(paths, wanted, notes) -> Channels:
-    """The channels of recordings of one clock, at the instants of the first. Raises CaseError.
+    """Merges recordings of one clock into Channels at the instants of the first, over the time that all cover.
 
-    wanted  "ROLE=NAME [unit]" of each column whose name does not say what it is
+    paths   CSV files
+    wanted  texts "ROLE=NAME [unit]" for columns whose names do not tell what they are
+    notes   list to which sentences on the conversion are added
+
+    Raises CaseError when a file cannot be used or the recordings do not overlap.
     """
     if not paths:
         raise CaseError("no recording is named")
@@ -74,7 +78,7 @@ def merged(paths, wanted, notes) -> Channels:
 
 
 def _require_known(paths, wanted):
-    """Each --column names a column of at least one of the recordings."""
+    """Raises CaseError where a --column names no known role, or no column of any of the recordings."""
     there = {one.name for path in paths for one in columns.read(path)} if wanted else set()
     for text in wanted:
         role, _, rest = (part.strip() for part in text.partition("="))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A path over the skin, and its file."""
+"""Path of the slider over the skin, and its CSV file."""
 
 import contextlib
 import os
@@ -12,21 +12,24 @@ from ...errors import CaseError
 
 
 class Path:
-    """A path over the skin, row by row, in SI.
+    """Path of the slider over the skin as a list of waypoints, made by `ionskin.motion`; each prescribes a height or a
+    force.
 
-    time      [rows], from 0
-    position  [rows, 2] of the slider on the skin
-    height    [rows] of its underside above the undeformed top face; not a number where the force leads
-    force     [rows], normal, compression positive; not a number where the height leads
-    notes     what was done with the recording, a sentence each
+    time      array [rows]: instants from 0 [s]
+    position  array [rows, 2]: x and y of the slider on the skin [m]
+    height    array [rows]: height of the underside above the undeformed top face [m]; NaN where the force is prescribed
+    force     array [rows]: normal force, compression positive [N]; NaN where the height is prescribed
+    notes     list of sentences that say how the recording was converted
     """
 
     def __init__(self, time, position, height, force, notes):
         self.time, self.position, self.height, self.force, self.notes = time, position, height, force, notes
 
     def write(self, path, overwrite: bool = False) -> None:
-        """Writes the path as motion.file takes it. Raises CaseError where the file is there and `overwrite` is not
-        set."""
+        """Writes the path as the CSV file that the key motion.file of a case takes.
+
+        Raises CaseError when the file exists and `overwrite` is False.
+        """
         path = pathlib.Path(path)
         if path.exists() and not (overwrite and path.is_file()):
             raise CaseError(f"{path} is there already\n  = choose another name, or replace it with --overwrite")
