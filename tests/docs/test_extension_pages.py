@@ -107,7 +107,7 @@ class Built(Steps):
     def shell(self, command, expect=0):
         """Runs a line of a page in the copy; returns the finished process."""
         process = subprocess.run(["bash", "-c", command], cwd=self.tree, capture_output=True, text=True, check=False,
-                                 env={**os.environ, "IONSKIN_DATA": str(self.tree)})
+                                 env={**os.environ, "IONSKIN_DATA": str(self.tree), "PATH": f"/usr/bin:{os.environ['PATH']}"})
         self.assertEqual(process.returncode, expect, f"{command}\n{process.stdout[-3000:]}\n{process.stderr[-2000:]}")
         return process
 

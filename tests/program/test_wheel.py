@@ -24,7 +24,7 @@ class WheelTest(ProgramTest):
                               check=False)
         self.assertEqual(made.returncode, 0, made.stderr)
         wheel = made.stdout.strip()
-        self.assertRegex(wheel, r"/ionskin-0\.2\.0-py3-none-manylinux_2_\d+_\w+\.whl$")
+        self.assertRegex(wheel, r"/ionskin-0\.3\.0-py3-none-manylinux_2_\d+_\w+\.whl$")
         with zipfile.ZipFile(wheel) as archive:
             rows = list(csv.reader(io.StringIO(archive.read("ionskin-0.3.0.dist-info/RECORD").decode())))
             self.assertEqual({row[0] for row in rows}, set(archive.namelist()))
