@@ -47,6 +47,11 @@ class Generation(PackageTest):
         area, stick, slip = (labels[:, COLUMNS.index(name)] for name in ("contact_area", "stick_share", "slip"))
         self.assertTrue((area[touching > 0] > 0).all() and (stick >= 0).all() and (stick <= 1).all())
         self.assertAlmostEqual(slip.max() / case["motion.stroke"], 1, delta=0.1)
+        speed = labels[:, COLUMNS.index("slider_speed")]
+        self.assertAlmostEqual(speed[len(time) // 3] * case["motion.slide"] / case["motion.stroke"], 1, delta=1e-6)
+        aslant = Outcome.of(result)
+        aslant.columns["signals/slider_y"] = -aslant.columns["signals/slider_x"]
+        numpy.testing.assert_allclose(tables(aslant, 1000.0)[2][:, COLUMNS.index("slider_speed")], numpy.sqrt(2) * speed)
 
     def test_taxels(self):
         case = small_case()

@@ -50,7 +50,7 @@ def tables(outcome: Outcome, rate: float):
     labels = [label(name) for name in LABELS]
     force = labels[LABELS.index("normal_force")]
     touching = numpy.where(numpy.isfinite(force), force > TOUCHING * numpy.nanmax(force, initial=1e-30), numpy.nan)
-    speed = numpy.gradient(labels[LABELS.index("slider_x")], time)
+    speed = numpy.hypot(*(numpy.gradient(labels[LABELS.index(name)], time) for name in ("slider_x", "slider_y")))
     return (time, numpy.column_stack([at(name) for name in (*SIGNALS, *taxel_signals(outcome))]),
             numpy.column_stack([*labels, touching, speed, *map(label, WRENCH)]))
 

@@ -71,7 +71,7 @@ TouchRange touch_range(const Case& input) {
   const auto box = mechanics::contact_box(input);
   if (!box) {
     throw UserError("the slider never touches the skin: there is nothing to train\n"
-                    "  = lower it, such as by motion.preload");
+                    "  = lower the slider, such as by a larger motion.preload");
   }
   TouchRange range{*box, false, 0, 0};
   for (const MotionLeg& leg : motion_legs(input.motion, input.slider)) {

@@ -123,7 +123,7 @@ mesh::Footprint footprint_at(const Case& input, double friction, int threads,
       return footprint;
     }
   }
-  throw SolverError("the footprint of the slider was not found",
+  throw SolverError("the search for the area that the slider touches did not converge",
                     "raise numerics.mesh_refinement, or give slider.size closer to the contact");
 }
 

@@ -25,7 +25,7 @@ constexpr double most_moved = 0.2;
 
 [[noreturn]] void give_up_adhesion(double indentation) {
   throw SolverError(
-      fmt::format("the adhesive contact has no solution that was found at an indentation of "
+      fmt::format("no solution of the adhesive contact was found at an indentation of "
                   "{:.3g} um",
                   indentation * 1e6),
       "lower contact.cohesive_strength or contact.friction, or raise numerics.mesh_refinement");

@@ -68,9 +68,10 @@ void keep_unfinished_ions(const Case& input, const RunOptions& options,
   outputs.signals = read_out_mechanics(input, mechanics, options.threads);
   outputs.audits = audit(audited_metrics(mechanics, outputs.signals));
   outputs.warnings = mechanics_warnings(input, mechanics);
-  outputs.warnings.push_back(told("its signals end where the ion transport gave up, and its "
-                                  "figures are those of the contact alone",
-                                  error));
+  outputs.warnings.push_back(told(
+      fmt::format("{}its figures are those of the strain alone",
+                  ions != nullptr ? "its signals end where the ion transport gave up, and " : ""),
+      error));
   if (ions != nullptr) {
     Signals rows = read_out_rows(input, mechanics, *ions, options.threads);
     outputs.signals.resolved = std::move(rows.resolved);

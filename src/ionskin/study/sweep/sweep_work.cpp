@@ -55,7 +55,7 @@ void SweepWork::run_points() {
   double largest = 0;
   for (const std::size_t i : unfinished_) {
     const Case& input = plan_.points[i].input;
-    if (input.strain.kind == StrainSourceKind::contact) {
+    if (input.strain.kind != StrainSourceKind::file) { // whose history is not read yet
       largest = std::max(largest, electrochemistry::estimate_problem_size(input).memory);
     }
   }
