@@ -155,6 +155,7 @@ class LiveTest(ProgramTest):
         # Those whose contact cells overlap, or nearly do, are flagged while both touch.
         near = high - low - length - 2 * way < 2.5 * one.core_thickness
         self.assertEqual(((both.flags & ionskin.live.TOO_NEAR) != 0).tolist(), [[bool(n) and t >= 0.03] * 2 for n, t in zip(near, times)])
+        self.assertEqual(both.outside.tolist(), ((both.flags & ionskin.live.TOO_NEAR) != 0).tolist())
         step = fingers.step(0, positions[0], forces=forces[0])
         self.assertEqual(step.array.tolist(), both.array[0].tolist())
         state = fingers.save()

@@ -107,7 +107,7 @@ void add_cluster(CLI::App& app, Command& command) {
           [options](const std::string& text) {
             options->memory = static_cast<double>(base::byte_count("--memory", text));
           },
-          "Memory of a worker, such as \"8 GB\" (default: what is free)")
+          "Memory of a worker, such as \"8 GB\" (default: 90 % of what is free)")
       ->type_name("SIZE");
   verb->add_option("--address", options->address,
                    "start: address of this machine that the scheduler listens on; other than "

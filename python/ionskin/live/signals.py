@@ -85,9 +85,9 @@ class Signals(Mapping):
 
     @property
     def outside(self):
-        """True where a step was outside the trained range of position, load, speed or
-        pose; a boolean, or an array like `flags`."""
-        return (self.flags & (OUTSIDE_PLACE | OUTSIDE_LOAD | OUTSIDE_SPEED | OUTSIDE_POSE)) != 0
+        """True where a step was outside the trained range of position, load, speed or pose, or two fingers were too near; a
+        boolean, or an array like `flags`."""
+        return (self.flags & (OUTSIDE_PLACE | OUTSIDE_LOAD | OUTSIDE_SPEED | OUTSIDE_POSE | TOO_NEAR)) != 0
 
     def __repr__(self) -> str:
         return f"Signals({', '.join(f'{name}={self[name]!r}' for name in self)})"

@@ -44,7 +44,7 @@ std::string warn_about_held_indentation(const Case& input) {
   return fmt::format(
       "The slider holds an indentation for {:.3g} s, c_v t/h^2 = {:.3g}: beyond {:.2g} the water "
       "leaves and the load relaxes, which Study 1 does not follow, so that pore pressure stays too "
-      "high. Press with a force (motion.preload_force), or hold for less than {:.3g} s.",
+      "high. Press with a force, such as motion.preload = \"2 N\", or hold for less than {:.3g} s.",
       hold.time, hold.number, longest_hold, hold.time * longest_hold / hold.number);
 }
 

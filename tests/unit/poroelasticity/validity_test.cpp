@@ -34,7 +34,7 @@ TEST(Validity, AHeldIndentationIsWarnedOfAndAForceIsNot) {
   EXPECT_NEAR(holding(input).number, 5e-9 * 2.001 / 3.24e-8, 1e-3);
   ASSERT_EQ(validity_warnings(input).size(), 1u);
   const std::string warning = validity_warnings(input).front();
-  for (const char* words : {"c_v t/h^2 = 0.309", "the load relaxes", "motion.preload_force"}) {
+  for (const char* words : {"c_v t/h^2 = 0.309", "the load relaxes", "motion.preload = "}) {
     EXPECT_NE(warning.find(words), std::string::npos) << warning;
   }
   input.motion.preload = 0;

@@ -64,9 +64,13 @@ void check_sizes(const CaseDocument& document, Problems& problems) {
         fmt::format("the run has {:.0f} legs of motion in {} cycles, more than {:.0f}", legs,
                     input.motion.cycles, most_legs),
         document.point_at("motion.cycles"),
-        fmt::format("motion.cycles may be at most {:.0f} here: the response repeats itself "
-                    "after a few cycles",
-                    most_legs / legs_of_cycle(input.motion)));
+        legs_of_cycle(input.motion) > most_legs
+            ? fmt::format("leave out waypoints that lie on the way between their neighbours: a "
+                          "cycle may have at most {:.0f}",
+                          most_legs)
+            : fmt::format("motion.cycles may be at most {:.0f} here: the response repeats itself "
+                          "after a few cycles",
+                          most_legs / legs_of_cycle(input.motion)));
   if (!(*duration / input.readout.sample_interval <= most_readings))
     problems.add(too_many_readings(input.readout, *duration),
                  document.point_at("readout.sample_interval"), remedy_of_readings(*duration));
