@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <numbers>
 
@@ -58,6 +59,22 @@ TEST(Waypoints, MayTurnAForceIntoAHeightOnTheWay) {
   const TemporaryCase file(with_motion(replaced(path, "force = \"2 N\"", "height = \"-1 um\"")));
   const Case input = read_case(file.path());
   EXPECT_EQ(input.motion.waypoints[2].height, -1e-6);
+}
+
+TEST(Waypoints, TooManyAreToBeLeftOut) {
+  const TemporaryCase file(with_motion("[motion]\nkind = \"waypoints\"\nfile = \"long.csv\"\n"));
+  std::ofstream rows(std::filesystem::path(file.path()).parent_path() / "long.csv");
+  rows << "time [ms],x [mm],y [mm],height [um]\n0,4,1,10\n";
+  for (int row = 1; row <= 200'001; ++row)
+    rows << row << ",4,1,-0.1\n";
+  rows.close();
+  try {
+    read_case(file.path());
+    FAIL() << "accepted";
+  } catch (const UserError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("legs of motion"));
+    EXPECT_THAT(error.what(), HasSubstr("leave out waypoints"));
+  }
 }
 
 struct WrongPath {
