@@ -52,12 +52,18 @@ std::optional<MotionBox> contact_box(const Case& input) {
     }
   };
   const bool adheres = laws::friction_law(input.contact.law).adheres;
+  bool held = false; // by adhesion, also where a leg only pulls
   for (const MotionLeg& leg : motion_legs(input.motion, input.slider)) {
-    if (leg.touches()) {
+    held = adheres && (held || leg.touches());
+    if (held) {
+      include(leg.from);
+      include(leg.to);
+      held = leg.to_level.is_force || leg.to_level.touches();
+    } else if (leg.touches()) {
       // The whole leg may touch where a height turns into a force.
       const ContactPart part = contact_part(leg);
-      include(adheres ? leg.from : part.from);
-      include(adheres ? leg.to : part.to);
+      include(part.from);
+      include(part.to);
     }
   }
   if (box && input.motion.drive.given()) {
