@@ -18,6 +18,10 @@ function(ionskin_tier name tier)
   if(NOT ARG_TIMEOUT)
     set(ARG_TIMEOUT ${limit_${tier}})
   endif()
+  # Sanitizers make a program some ten times slower.
+  if(IONSKIN_SANITIZE OR IONSKIN_SANITIZE_THREADS)
+    math(EXPR ARG_TIMEOUT "10 * ${ARG_TIMEOUT}")
+  endif()
   set_tests_properties(${name} PROPERTIES LABELS "${tier};${ARG_LABELS}" TIMEOUT ${ARG_TIMEOUT})
 endfunction()
 

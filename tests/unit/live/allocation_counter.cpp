@@ -17,6 +17,11 @@ std::atomic<std::size_t> count{0};
   }
   throw std::bad_alloc();
 }
+// What std::stable_sort takes; it gives it back by the operator delete below.
+[[gnu::noinline]] void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
+  ++count;
+  return std::malloc(size);
+}
 [[gnu::noinline]] void* operator new(std::size_t size, std::align_val_t alignment) {
   ++count;
   const auto step = static_cast<std::size_t>(alignment);
