@@ -128,7 +128,7 @@ class Prescribed(ProgramTest):
         process = self.run_program("check", ROOT / "cases" / "paper" / "water.toml", "--explain",
                                    "--set", "water.mobility=1.3e-17 m2/(Pa s)")
         for words in ("undrained Poisson's ratio          0.49", "drained Poisson's ratio            0.4",
-                      "holds an indentation", "motion.preload_force"):
+                      "holds an indentation", "motion.preload = "):
             self.assertIn(words, process.stdout)
 
     def test_figures_of_the_water_are_drawn(self):
