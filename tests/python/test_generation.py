@@ -51,7 +51,7 @@ class Generation(PackageTest):
         self.assertAlmostEqual(speed[len(time) // 3] * case["motion.slide"] / case["motion.stroke"], 1, delta=1e-6)
         aslant = Outcome.of(result)
         aslant.columns["signals/slider_y"] = -aslant.columns["signals/slider_x"]
-        numpy.testing.assert_allclose(tables(aslant, 1000.0)[2][:, COLUMNS.index("slider_speed")], numpy.sqrt(2) * speed)
+        numpy.testing.assert_allclose(tables(aslant, 1000.0)[2][:, COLUMNS.index("slider_speed")], numpy.sqrt(2) * speed, atol=1e-12)
 
     def test_taxels(self):
         case = small_case()
