@@ -31,7 +31,7 @@ void* operator new(std::size_t size) {
     return memory;
   throw std::bad_alloc();
 }
-// What std::stable_sort takes; it gives it back by the operator delete below.
+// std::stable_sort takes memory by this operator, and returns it by the operator delete below.
 void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
   allocated += size;
   return std::malloc(size == 0 ? 1 : size);

@@ -17,7 +17,7 @@ std::atomic<std::size_t> count{0};
   }
   throw std::bad_alloc();
 }
-// What std::stable_sort takes; it gives it back by the operator delete below.
+// std::stable_sort takes memory by this operator, and returns it by the operator delete below.
 [[gnu::noinline]] void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
   ++count;
   return std::malloc(size);
