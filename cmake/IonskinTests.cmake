@@ -33,6 +33,7 @@ function(ionskin_python_test name file)
   if(NOT ARG_TIER)
     set(ARG_TIER check)
   endif()
+  set_property(GLOBAL APPEND PROPERTY IONSKIN_PYTHON_TEST_FILES ${CMAKE_CURRENT_SOURCE_DIR}/${file})
   set(parts ${name})
   if(ARG_LONG)
     list(APPEND parts ${name}_long)
@@ -55,6 +56,16 @@ function(ionskin_python_test name file)
     set_tests_properties(${part} PROPERTIES
       ENVIRONMENT "IONSKIN_PROGRAM=${CMAKE_BINARY_DIR}/ionskin;PYTHONDONTWRITEBYTECODE=1;${ARG_ENVIRONMENT}")
   endforeach()
+endfunction()
+
+# Refuses a Python test file below this folder that no ionskin_python_test names: nothing would run it.
+function(ionskin_require_python_tests)
+  get_property(listed GLOBAL PROPERTY IONSKIN_PYTHON_TEST_FILES)
+  file(GLOB_RECURSE files CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/test_*.py)
+  list(REMOVE_ITEM files ${listed})
+  if(files)
+    message(FATAL_ERROR "${files}: no test runs it; name it in an ionskin_python_test")
+  endif()
 endfunction()
 
 # ionskin_unit_test(FOLDER [USERS_FILES] [LONG] [TEMPLATES] [SHARDS N] SOURCES ... DEPENDS ...): one test program per source

@@ -133,47 +133,6 @@ class LiveTest(ProgramTest):
         with self.assertRaisesRegex(TypeError, "not both"):
             skin.step(0, (5e-3, 1e-3), pose=(5e-3, 1e-3, 0, 0, 0, 0))
 
-    def test_fingers_on_one_skin_add_up(self):
-        one, other = ionskin.live.Skin(self.trained), ionskin.live.Skin(self.trained)
-        fingers = ionskin.live.Fingers([self.trained, self.trained])
-        length = fingers.skins[0].footprint[2] - fingers.skins[0].footprint[0]
-        low, high = one.range.lowest[0], one.range.highest[0]
-        times, way = 1e-3 * numpy.arange(60), 2e-6 * numpy.arange(60)
-        forces = numpy.column_stack([numpy.linspace(20, 30, 60), numpy.where(times < 0.03, 0, 25)])
-        positions = numpy.full((60, 2, 2), 1e-3)
-        positions[:, 0, 0], positions[:, 1, 0] = low + way, high - way
-        both = fingers.copy().run(times, positions, forces=forces)
-        own = [skin.run(times, positions[:, i], forces=forces[:, i]) for i, skin in enumerate((one, other))]
-        for name in own[0]:
-            with self.subTest(name):
-                if name.startswith(("charge_", "current_", "mean_shear", "shear_")):
-                    numpy.testing.assert_array_equal(both[name], own[0][name] + own[1][name])
-                    self.assertNotIn(name + "_2", both)
-                else:
-                    numpy.testing.assert_array_equal(both[name], own[0][name])
-                    numpy.testing.assert_array_equal(both[name + "_2"], own[1][name])
-        # Those whose contact cells overlap, or nearly do, are flagged while both touch.
-        near = high - low - length - 2 * way < 2.5 * one.core_thickness
-        self.assertEqual(((both.flags & ionskin.live.TOO_NEAR) != 0).tolist(), [[bool(n) and t >= 0.03] * 2 for n, t in zip(near, times)])
-        self.assertEqual(both.outside.tolist(), ((both.flags & ionskin.live.TOO_NEAR) != 0).tolist())
-        step = fingers.step(0, positions[0], forces=forces[0])
-        self.assertEqual(step.array.tolist(), both.array[0].tolist())
-        state = fingers.save()
-        again = fingers.step(1e-3, positions[1], heights=[-6e-7, 1e-4])
-        fingers.restore(state)
-        self.assertEqual(fingers.step(1e-3, positions[1], heights=[-6e-7, 1e-4]).array.tolist(), again.array.tolist())
-        self.assertEqual(fingers.errors["charge_top"].worst, 2 * one.errors["charge_top"].worst)
-        for wrong, pattern in (({"forces": [1]}, "forces: the shape"), ({"forces": [1, math.nan]}, "NaN"),
-                               ({"time": 0, "forces": [1, 1]}, "comes before")):
-            with self.subTest(pattern), self.assertRaisesRegex(ValueError, pattern):
-                fingers.step(wrong.pop("time", 1), positions[2], **wrong)
-        with self.assertRaisesRegex(ValueError, "nothing|damaged|another"):
-            fingers.restore([state[0], b"12345678"])
-        self.assertEqual(fingers[0].time, 1e-3)  # as it was
-        for skins, pattern in (([], "0 fingers"), ([self.trained] * 5, "5 fingers"), ([one, one], "stands twice")):
-            with self.subTest(pattern), self.assertRaisesRegex(ValueError, pattern):
-                ionskin.live.Fingers(skins)
-
     def test_tells_the_derivatives_of_the_charges(self):
         """They are those of steps from the same state, while all of the contact slides."""
         skin = ionskin.live.Skin(self.trained)

@@ -3,18 +3,14 @@
 
 import csv
 import re
-import sys
 import tomllib
 import unittest
 
 import h5py
 import numpy
 
-from program import PROGRAM, ROOT, ProgramTest, metric, signals
+from program import ROOT, ProgramTest, metric, signals
 from tiers import long_test
-
-sys.path.insert(0, str(PROGRAM.parent / "python"))
-import ionskin.live  # noqa: E402
 
 QUICK, PINCH = (ROOT / "cases" / name for name in ("quick.toml", "pinch.toml"))
 NEIGHBOUR = '\n[[slider]]\nsize = ["1 mm", "1 mm"]\nedge_radius = "0.1 mm"\nstart = ["10.5 mm", "1 mm"]\nmotion.direction = [-1, 0]\n\n'
@@ -88,32 +84,6 @@ class Sliders(ProgramTest):
         told = self.run_program("compare", "smooth", "rough").stdout
         self.assertRegex(told, r"slider\[1\]\.contact\.friction: 0\.2 \| 0\.4")
         self.assertRegex(told, "(?i)tangential force, mid-slide, slider 2")
-
-    @long_test
-    def test_live_fingers_tell_what_the_full_model_tells(self):
-        """Trained one by one from the case of both, and stepped together along its motion."""
-        coarse = ("--set", "numerics.preset=coarse", "--set", "numerics.mesh_refinement=0.5")
-        files = []
-        for number in (1, 2):
-            files.append(self.folder / f"{number}.live")
-            self.run_program("live", "both.toml", *coarse, "--slider", number, "--trajectories", "4", "--validation", "6", "-o",
-                             files[-1].name, "--quiet")
-        self.run_case("both.toml", "-o", "full", *coarse, *FAST)
-        full = signals(self.folder / "full")
-        times = numpy.arange(int(1e3 * full["time"][-1]) + 1) / 1e3
-        of = {name: numpy.interp(times, full["time"], values) for name, values in full.items()}
-        fingers = ionskin.live.Fingers(files)
-        ends = ("", "_2")
-        told = fingers.run(times, numpy.stack([numpy.column_stack([of["slider_x" + end], of["slider_y" + end]]) for end in ends], axis=1),
-                           heights=numpy.column_stack([of["slider_z" + end] for end in ends]))
-        self.assertFalse(told.flags.any())
-        for name, share in (("normal_force", 0.02), ("normal_force_2", 0.02), ("tangential_force_x", 0.05),
-                            ("tangential_force_x_2", 0.05), ("charge_top", 0.05)):
-            with self.subTest(name):
-                error = told[name] - of[name]
-                largest = numpy.abs(of[name]).max()
-                self.assertLess(numpy.sqrt((error**2).mean()), share * largest)
-                self.assertLess(numpy.abs(error).max(), fingers.errors.get(name, fingers.errors["charge_top"]).worst + share * largest)
 
     def test_what_refuses_several_sliders(self):
         near = ("--set", 'slider[1].start=["4 mm", "1 mm"]')

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Checks of the arguments of `Skin.step` and `Skins.step`."""
+"""Checks of the arguments of steps of live skins."""
 
 import numpy
 
 HEIGHT, FORCE = 0, 1
+_MOST_TURNED = 1e6  # yaw [rad]
 
 
 def finite(name: str, values, shape: tuple) -> numpy.ndarray:
@@ -35,3 +36,24 @@ def one_load(height, force, plural: str) -> tuple[int, object]:
         raise TypeError(f"give either height{plural} or force{plural}, " +
                         ("not both" if height is not None else "one of both is missing"))
     return (HEIGHT, height) if force is None else (FORCE, force)
+
+
+def require_ascending_times(times: numpy.ndarray, last: float | None) -> None:
+    """Checks the times of steps.
+
+    times  array [step] [s]
+    last   time of the step before them [s]; None if there was none
+
+    Raises ValueError where a time lies before the one that precedes it.
+    """
+    if (numpy.diff(times) < 0).any():
+        later = int(numpy.argmax(numpy.diff(times) < 0)) + 1
+        raise ValueError(f"times: {times[later]} s (index {later}) comes after {times[later - 1]} s")
+    if last is not None and len(times) and times[0] < last:
+        raise ValueError(f"time: {times[0]} s comes before the last step at {last} s; restore a state, or reset")
+
+
+def require_turns(name: str, yaw: float) -> None:
+    """Raises ValueError for a yaw [rad] whose magnitude is larger than a step takes."""
+    if abs(yaw) > _MOST_TURNED:
+        raise ValueError(f"{name}: {yaw:g} rad is outside +-{_MOST_TURNED:g} rad")

@@ -7,43 +7,46 @@ from collections.abc import Iterator, Sequence
 
 import numpy
 
-from .checks import finite, one_load
+from .checks import finite, one_load, require_ascending_times, require_turns
 from .signals import TOO_NEAR, SignalError, Signals
-from .skin import Skin, require_ascending_times, require_turns
+from .skin import Skin
 
 MOST_FINGERS = 4
 _SHARED_TABLES = ("skin", "materials", "electrochemistry", "coupling", "water", "readout")
-_SUMMED = ("charge_", "current_", "sampled_current_", "mean_shear", "shear_first_moment")
-_REACH = 2.5  # core thicknesses over which one finger moves the skin under another
+_SUMMED = ("charge_", "current_", "sampled_current_")
+_ADDITIVE_LAWS = ("column-neutral", "poroelastic")  # the strain far from a finger, the same through the core, moves no charge
+_LINEAR_MEASURE = "signed-xz"
+_REACH = 2.5  # distance over which one finger deforms the skin under another [core thicknesses]
 
 
 class Fingers:
-    """Up to four sliders on one skin, each a `Skin` that was trained with that slider as the only one.
+    """Reduced-order skin under up to four sliders. Each slider is a `Skin` of its own, trained with that slider only.
 
-    Charges, currents and the shear of the core are linear in what the sliders do to it, and are sums over the fingers. Signals
-    of a finger itself, such as its forces, end in _2, _3 and _4 for those behind the first. How one finger moves the skin
-    under another is neglected: where two that touch come closer than 2.5 core thicknesses, both are flagged TOO_NEAR.
+    Charges and currents are sums over the fingers, under the coupling laws and measures that allow it (`require_additive`).
+    Signals of a single finger, such as its forces and the shear that it makes by itself, end in _2, _3 and _4 for the second, third
+    and fourth finger. The class neglects how one finger deforms the skin under another: if two fingers touch and their contact
+    cells come closer than 2.5 core thicknesses, both get the flag TOO_NEAR.
     """
 
     def __init__(self, skins: Sequence[Skin | str | os.PathLike]) -> None:
-        """Skins, or their files; a skin that is given is stepped itself. ValueError: more than four or none, a skin that stands
-        twice, or skins of different layers, materials, ions or readout."""
+        """Combines skins.
+
+        skins  1 to 4 skins, or paths of their files; a `Skin` object is used itself, not copied
+
+        Raises ValueError for another number of skins, for one object given twice, for skins whose layers, materials, ions,
+        coupling, water or readout differ, and for a coupling under which the charges of several fingers are no sums.
+        """
         self.skins = tuple(skin if isinstance(skin, Skin) else Skin(skin) for skin in skins)
         if not 1 <= len(self.skins) <= MOST_FINGERS:
             raise ValueError(f"skins: {len(self.skins)} fingers, and must be 1 to {MOST_FINGERS}")
         if len(set(map(id, self.skins))) < len(self.skins):
             raise ValueError("skins: one skin stands twice; give each finger its own, such as skin.copy()")
-        tables = [_shared(skin.case) for skin in self.skins]
-        for number, own in enumerate(tables[1:], 2):
-            for name in _SHARED_TABLES:
-                if own[name] != tables[0][name]:
-                    raise ValueError(f"skins: finger {number} was trained on another skin than finger 1: [{name}] differs; train "
-                                     "all from one case, such as by ionskin live CASE.toml --slider NUMBER")
+        require_additive(self.skins)
         self._names()
 
     def _names(self) -> None:
         self._columns: dict[str, int] = {}
-        self._targets = []  # of the signals of each skin: their columns
+        self._targets = []  # [finger][signal of that skin]: column among all signals
         for number, skin in enumerate(self.skins, 1):
             self._targets.append([self._columns.setdefault(_name(name, number), len(self._columns)) for name in skin.names])
 
@@ -58,7 +61,7 @@ class Fingers:
 
     @property
     def names(self) -> tuple[str, ...]:
-        """Names of the signals."""
+        """Names of all signals."""
         return tuple(self._columns)
 
     @property
@@ -73,7 +76,8 @@ class Fingers:
 
     @property
     def errors(self) -> dict[str, SignalError]:
-        """Errors by signal; of a sum, the sums of the errors and of the largest values of the fingers."""
+        """Stated errors, a dict of signal name to SignalError. For a signal that is a sum, errors and largest values of the
+        fingers are added."""
         errors: dict[str, SignalError] = {}
         for number, skin in enumerate(self.skins, 1):
             for own_name, own in skin.errors.items():
@@ -83,10 +87,17 @@ class Fingers:
         return errors
 
     def step(self, time: float, positions, *, heights=None, forces=None, angles=None) -> Signals:
-        """Signals at a time [s], with the sliders at positions [finger, (x, y)] [m], each at a height [finger] above the
-        undeformed top face [m], negative when it indents, or pressed by a force [finger] [N], 0 for none; `angles` are roll,
-        pitch and yaw [finger, 3] [rad]. `flags` of the signals is an array [finger].
-        ValueError: a value that is not a number, or a time before the last; no finger moves then."""
+        """Steps all fingers to a time and returns their signals; `flags` is an array [finger].
+
+        time       [s], not before that of the last step
+        positions  centres of the sliders [finger, (x, y)] [m]
+        heights    heights of the undersides above the undeformed top face [finger] [m], below 0 where they indent; or instead
+        forces     normal forces [finger] [N]; a finger with 0 is detached
+        angles     roll, pitch and yaw [finger, 3] [rad]; None for upright sliders
+
+        Raises ValueError for a value that is not a finite number, and for a time before the last; no finger moves then.
+        Raises TypeError for both or neither of heights and forces.
+        """
         kind, values = one_load(heights, forces, "s")
         name = "forces" if kind else "heights"
         signals = self.run(numpy.reshape(finite("time", time, ()), 1), finite("positions", positions, (len(self), 2))[None],
@@ -95,8 +106,10 @@ class Fingers:
         return Signals(self._columns, signals.array[0], signals.flags[0])
 
     def run(self, times: Sequence[float], positions, *, heights=None, forces=None, angles=None) -> Signals:
-        """Many steps: times [n], positions [n, finger, 2], heights or forces [n, finger], angles [n, finger, 3]; signals are
-        arrays [n], and flags an array [n, finger]. ValueError as `step`."""
+        """Makes many steps and returns their signals as arrays [step]; `flags` is an array [step, finger].
+
+        The arguments are those of `step` with a first axis [step] each. Raises as `step` does.
+        """
         kind, values = one_load(heights, forces, "s")
         name = "forces" if kind else "heights"
         shape = (numpy.size(times), len(self))
@@ -134,7 +147,7 @@ class Fingers:
                 flags[near, other] |= TOO_NEAR
 
     def copy(self) -> "Fingers":
-        """A second one, in the same state."""
+        """Returns a second object with copies of all skins, in the same states."""
         return Fingers([skin.copy() for skin in self.skins])
 
     __copy__ = copy
@@ -143,11 +156,12 @@ class Fingers:
         return self.copy()
 
     def save(self) -> list[bytes]:
-        """The states of the skins, to be restored by those of the same files."""
+        """Returns the states of the skins, one `bytes` object for each finger, for `restore`."""
         return [skin.save() for skin in self.skins]
 
     def restore(self, states: Sequence[bytes]) -> None:
-        """Takes up states; time may go back by it. ValueError when they are not those of such skins; nothing changes then."""
+        """Restores states that `save` returned; the time may go back. Raises ValueError, with nothing changed, for states of
+        other skins or of another number of fingers."""
         if len(states) != len(self):
             raise ValueError(f"states: {len(states)} of them, and there are {len(self)} fingers")
         before = self.save()
@@ -160,17 +174,33 @@ class Fingers:
             raise
 
     def reset(self) -> None:
-        """Back to a detached skin at rest."""
+        """Resets all fingers: detached, with the skin at rest."""
         for skin in self.skins:
             skin.reset()
 
 
+def require_additive(skins: Sequence[Skin]) -> None:
+    """Raises ValueError for skins of different cases, and for a coupling under which charges of several fingers are no sums."""
+    tables = [_shared(skin.case) for skin in skins]
+    for number, own in enumerate(tables[1:], 2):
+        for name in _SHARED_TABLES:
+            if own[name] != tables[0][name]:
+                raise ValueError(f"skins: finger {number} was trained on another skin than finger 1: [{name}] differs; train all "
+                                 "from one case, such as by ionskin live CASE.toml --slider NUMBER")
+    coupling = tables[0]["coupling"]
+    law = coupling.get("law", "fixed-charge")
+    if len(skins) > 1 and law not in _ADDITIVE_LAWS and coupling.get("measure") != _LINEAR_MEASURE:
+        raise ValueError(f'skins: under coupling.law = "{law}" the charges of several fingers are no sums, because the magnitude of '
+                         'the shear that all make is not the sum of magnitudes; train with coupling.law = "column-neutral" or '
+                         'coupling.measure = "signed-xz", or run the full model')
+
+
 def _shared(case: str) -> dict:
-    """Tables of a case that all sliders on a skin share; of the readout, what the live skin reads."""
+    """Tables of a case, given as TOML text, that must be the same for all fingers on a skin."""
     tables = tomllib.loads(case)
     return {name: tables.get(name, {}) for name in _SHARED_TABLES}
 
 
 def _name(name: str, number: int) -> str:
-    """Name among the signals of all for a signal of a finger, counted from 1."""
+    """Name, among the signals of all fingers, of a signal of one finger; `number` counts fingers from 1."""
     return name if number == 1 or name.startswith(_SUMMED) else f"{name}_{number}"

@@ -12,17 +12,20 @@ from concurrent.futures import ThreadPoolExecutor
 import numpy
 
 from ..errors import CaseError
-from .checks import finite, one_load
+from .checks import finite, one_load, require_ascending_times, require_turns
 from .library import load, pointer
 from .signals import LiveSkinWarning, Range, SignalError, Signals
 
 
-_MOST_TURNED = 1e6  # yaw [rad]
-
-
 class Skin:
-    """A reduced skin. Times ascend; the first step may begin in contact. One thread at a time steps it. `friction` is a
-    coefficient within `range.friction`, that of the case without it; it can be set again between two steps."""
+    """Reduced-order (live) skin, stepped in a loop by one thread at a time.
+
+    path      file that `ionskin live` wrote
+    friction  coefficient of friction within `range.friction`; None for that of the case. It can be set again between steps.
+
+    Times ascend; the first step may begin in contact. Raises CaseError for a file that is not a live skin. Warns with
+    LiveSkinWarning where the file states errors that are larger than promised.
+    """
 
     def __init__(self, path: str | os.PathLike, *, friction: float | None = None) -> None:
         self._library = load()
@@ -54,7 +57,7 @@ class Skin:
 
     @property
     def case(self) -> str:
-        """Text of the case that it was trained on."""
+        """TOML text of the case that the skin was trained on."""
         return self._library.ionskin_live_text(self._handle, b"case").decode()
 
     @property
@@ -69,6 +72,7 @@ class Skin:
 
     @property
     def range(self) -> Range:
+        """Trained range of positions, loads, speeds, friction and poses."""
         values = numpy.empty(7)
         self._library.ionskin_live_range(self._handle, pointer(values))
         return Range(tuple(values[:2].tolist()), tuple(values[2:4].tolist()), *values[4:].tolist(),
@@ -91,7 +95,8 @@ class Skin:
 
     @property
     def friction(self) -> float:
-        """Coefficient of friction; no part of what `save` keeps. ValueError: set outside the trained range."""
+        """Coefficient of friction. It is not part of the state that `save` returns. Setting a value outside the trained range
+        raises ValueError."""
         return float(self._friction()[0])
 
     @friction.setter
@@ -111,7 +116,8 @@ class Skin:
 
     @property
     def footprint(self) -> tuple[float, float, float, float]:
-        """Lowest x, y, highest x, y of the contact cells, from the slider's centre [m]: nothing beyond them touches."""
+        """Lowest x, y, highest x, y of the contact cells, from the slider's centre [m]; the slider touches nothing beyond
+        them."""
         values = numpy.empty(4)
         self._library.ionskin_live_footprint(self._handle, pointer(values))
         return tuple(values.tolist())
@@ -136,13 +142,14 @@ class Skin:
 
     @property
     def errors(self) -> dict[str, SignalError]:
-        """Errors by signal; those of currents over the sampling interval of the case are named sampled_NAME."""
+        """Stated errors over whole touches, a dict of signal name to SignalError. Errors of currents that are means over the
+        case's sampling interval have names sampled_NAME."""
         return self._errors().get("", {})
 
     @property
     def event_errors(self) -> dict[str, dict[str, SignalError]]:
-        """Errors by event of a touch, "landing", "slip_onset", "hold" and "lift", and by signal; the largest value is
-        that within such events."""
+        """Stated errors within events of a touch: a dict of event ("landing", "slip_onset", "hold", "lift") to a dict of
+        signal name to SignalError, whose largest value is taken within such events."""
         return {event: errors for event, errors in self._errors().items() if event}
 
     def _errors(self) -> dict[str, dict[str, SignalError]]:
@@ -156,18 +163,25 @@ class Skin:
 
     @property
     def shortfall(self) -> str:
-        """One line on the events whose errors are larger than promised, empty where none are. Loading warns of it, too:
-        LiveSkinWarning."""
+        """Line of text on the events whose errors are larger than promised; empty if there are none."""
         return self._library.ionskin_live_text(self._handle, b"shortfall").decode()
 
     def step(self, time: float, position: Sequence[float] | None = None, *, height: float | None = None,
              force: float | None = None, angles: Sequence[float] = (0, 0, 0),
              pose: Sequence[float] | None = None) -> Signals:
-        """The signals at a time [s] with the slider's centre at (x, y) [m] and its underside at a height above the
-        undeformed top face [m], negative when it indents, or pressed by a force [N]. Currents are means since the
-        step before. `angles` are roll, pitch and yaw [rad], and the height that of the lowest point as it stands. A pose
-        (x, y, z, roll, pitch, yaw) takes the place of position, height and angles; with a force its z is not used and
-        may be None. ValueError: a value that is not a number, or a time before the last."""
+        """Steps to a time and returns the signals; currents are means over the time since the step before.
+
+        time      [s], not before that of the last step
+        position  centre of the slider (x, y) [m]
+        height    height of the lowest point of the underside above the undeformed top face [m], below 0 where it indents; or
+        force     normal force [N], 0 or less for a detached slider
+        angles    roll, pitch and yaw [rad]
+        pose      (x, y, z, roll, pitch, yaw) instead of position, height and angles; with a force, z is not used and may be
+                  None
+
+        Raises ValueError for a value that is not a finite number and for a time before the last, TypeError for both or neither
+        of height and force.
+        """
         if pose is not None:
             position, height, angles = _parted(pose, position, height, force)
         kind, value = one_load(height, force, "")
@@ -184,20 +198,24 @@ class Skin:
         return Signals(self._columns, signals, flags)
 
     def stiffness(self) -> numpy.ndarray:
-        """Derivative [6, 6] of the last step's wrench on the skin, forces along and moments about x, y and z, by a rigid
-        motion of the slider at the end of that step: ways along x, y and z [m], turns about x, y and z through its centre on
-        the undeformed top face [rad]. Of a skin that is computed as one half, columns 1, 3 and 5 are NaN. ValueError: no
-        step led to this state. ArithmeticError: it was not found."""
+        """Derivative of the wrench on the skin at the end of the last step with respect to a rigid motion of the slider.
+
+        Returns an array [6, 6]: rows are the forces along x, y, z [N] and the moments about x, y, z [N m], columns the
+        translations along x, y, z [m] and the rotations about x, y, z through the slider's centre on the undeformed top face
+        [rad]. Columns 1, 3 and 5 are NaN for a skin that is modelled as one symmetric half.
+
+        Raises ValueError if no step led to this state, ArithmeticError if the equations were not solved.
+        """
         return self._derivatives("stiffness", 6)
 
     @property
     def charge_names(self) -> tuple[str, ...]:
-        """Names of the charges among the signals: of top and bottom and of the taxels."""
+        """Names of the signals that are charges: top and bottom electrode, then the taxels."""
         return tuple(name for name in self._columns if name.startswith("charge_"))
 
     def charge_derivatives(self) -> numpy.ndarray:
-        """Derivatives [charge, 6] of the last step's charges, in the order of `charge_names`, by a rigid motion of the
-        slider as `stiffness` has it [C/m], [C/rad]; what is NaN, and the errors, are those of `stiffness`, too."""
+        """Derivatives of the charges at the end of the last step with respect to the motions of `stiffness`: an array
+        [charge, 6] [C/m], [C/rad], rows in the order of `charge_names`. NaN columns and exceptions are those of `stiffness`."""
         return self._derivatives("charge_derivatives", self._library.ionskin_live_charge_count(self._handle))
 
     def _derivatives(self, what: str, rows: int) -> numpy.ndarray:
@@ -211,7 +229,10 @@ class Skin:
         return values
 
     def run(self, times: Sequence[float], positions, *, heights=None, forces=None, angles=None) -> Signals:
-        """Many steps at once: times [n], positions [n, 2], heights or forces [n], angles [n, 3]; signals are arrays [n]."""
+        """Makes many steps and returns their signals as arrays [n].
+
+        times [n], positions [n, 2], heights or forces [n], angles [n, 3] as in `step`. Raises as `step` does.
+        """
         kind, values = one_load(heights, forces, "s")
         times = finite("times", times, (numpy.size(times),))
         positions = finite("positions", positions, (len(times), 2))
@@ -229,8 +250,8 @@ class Skin:
         return Signals(self._columns, signals, flags)
 
     def play(self, path: str | os.PathLike, times: Sequence[float], positions, *, heights=None, forces=None) -> Signals:
-        """Runs as `run` does, and writes a page that plays it in a browser, without any network: the slider over the
-        skin, the taxels coloured by their currents, the signals as they grow."""
+        """Makes steps as `run` does, returns their signals, and writes an HTML page that plays them in a browser without
+        network: the slider over the skin, the taxels coloured by their currents, the signals over time."""
         from ..page import live_page  # a controller needs no templates
 
         signals = self.run(times, positions, heights=heights, forces=forces)
@@ -238,7 +259,13 @@ class Skin:
         return signals
 
     def batch(self, trajectories: Sequence[Mapping], threads: int | None = None) -> list[Signals]:
-        """Runs of many trajectories, each from the present state: mappings with the arguments of `run`."""
+        """Runs many trajectories, each from the present state, which stays as it is.
+
+        trajectories  mappings with the arguments of `run`
+        threads       number of threads; None for one for each processor
+
+        Returns the signals of each trajectory, in their order.
+        """
         def one(arguments: Mapping) -> Signals:
             return self.copy().run(**arguments)
 
@@ -246,7 +273,7 @@ class Skin:
             return list(pool.map(one, trajectories))
 
     def copy(self) -> "Skin":
-        """A second skin in the same state."""
+        """Returns a second skin of the same file in the same state."""
         other = object.__new__(Skin)
         other._library, other._path, other._digest = self._library, self._path, self._digest
         other._handle = self._library.ionskin_live_copy(self._handle)
@@ -265,7 +292,7 @@ class Skin:
         return {"path": self._path, "digest": self._digest, "state": self.save(), "friction": self.friction}
 
     def __setstate__(self, kept: dict) -> None:
-        """Opens the file again, by its absolute path. ValueError when it is another by now."""
+        """Opens the file again, by its absolute path. Raises ValueError if its content has changed."""
         self.__init__(kept["path"])
         if self._digest != kept["digest"]:
             raise ValueError(f"{kept['path']}: the file is another than that of the skin that was kept")
@@ -274,14 +301,14 @@ class Skin:
             self.friction = kept["friction"]
 
     def save(self) -> bytes:
-        """The state, to be restored by a skin of the same file."""
+        """Returns the state as bytes, for `restore` of a skin of the same file."""
         state = numpy.empty(self._library.ionskin_live_state_size(self._handle))
         self._library.ionskin_live_save(self._handle, pointer(state))
         return state.tobytes()
 
     def restore(self, state: bytes) -> None:
-        """Takes up a state; time may go back by it. ValueError when it is of another skin or damaged; nothing changes
-        then."""
+        """Restores a state that `save` returned; the time may go back. Raises ValueError, with nothing changed, for a state of
+        another skin and for a damaged one."""
         if len(state) % 8:
             raise ValueError("state: is none of a skin")
         values = numpy.frombuffer(state)
@@ -292,13 +319,14 @@ class Skin:
         self._time, self._stepped = float(values[1]) if values[0] else None, False
 
     def reset(self) -> None:
-        """Back to a detached skin at rest."""
+        """Resets the skin: detached and at rest."""
         self._library.ionskin_live_reset(self._handle)
         self._time, self._stepped = None, False
 
 
 def _parted(pose, position, height, force):
-    """Position, height and angles of a pose. TypeError: given beside it. ValueError: not six."""
+    """Splits a pose into position, height and angles. Raises TypeError where position or height is given beside it, ValueError
+    for a pose that has not six numbers."""
     if position is not None or height is not None:
         raise TypeError("give either a pose or a position and a height, not both")
     if len(pose) != 6:
@@ -306,23 +334,8 @@ def _parted(pose, position, height, force):
     return pose[:2], pose[2] if force is None else None, pose[3:]
 
 
-def require_ascending_times(times: numpy.ndarray, last: float | None) -> None:
-    """ValueError: times go back, or begin before that of the last step; None: there was none."""
-    if (numpy.diff(times) < 0).any():
-        later = int(numpy.argmax(numpy.diff(times) < 0)) + 1
-        raise ValueError(f"times: {times[later]} s (index {later}) comes after {times[later - 1]} s")
-    if last is not None and len(times) and times[0] < last:
-        raise ValueError(f"time: {times[0]} s comes before the last step at {last} s; restore a state, or reset")
-
-
-def require_turns(name: str, yaw: float) -> None:
-    """ValueError: the yaw is beyond what a step takes [rad]."""
-    if abs(yaw) > _MOST_TURNED:
-        raise ValueError(f"{name}: {yaw:g} rad is outside +-{_MOST_TURNED:g} rad")
-
-
 def _digest(path: str | os.PathLike) -> bytes:
-    """Digest at the end of a file of a live skin."""
+    """Returns the digest that ends the file of a live skin."""
     with open(path, "rb") as file:
         file.seek(-32, os.SEEK_END)
         return file.read()
