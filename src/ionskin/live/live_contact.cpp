@@ -445,7 +445,8 @@ double LiveContact::search(double time_step, const std::array<double, 2>& travel
     return std::max(residual, -high_excess);
   }
   double missed = high_excess;
-  if (high_excess > tolerance) {
+  // A cell with a negative compliance, in a file that is wrong, carries before any is touched.
+  if (high_excess > tolerance && low < high) {
     std::uintmax_t most = most_searches;
     double at = high;
     const auto close = [&](double, double) { return std::abs(missed) <= tolerance; };

@@ -13,6 +13,7 @@
 #include <bit>
 #include <cmath>
 #include <fstream>
+#include <functional>
 
 namespace ionskin::live {
 namespace {
@@ -110,10 +111,15 @@ template <class Archive, class Data> void visit(Archive& archive, Data& data) {
   }
 }
 
+bool ascend(const std::vector<double>& lines) {
+  return std::ranges::adjacent_find(lines, std::greater_equal{}) == lines.end();
+}
+
 void check_map(const Reader& reader, const std::string& name, const PlaceMap& map,
                std::size_t size) {
   const std::size_t nodes = map.lines_x.size() * map.lines_y.size();
-  reader.require(nodes > 0 && map.lines_x.size() <= most_lines && map.lines_y.size() <= most_lines,
+  reader.require(nodes > 0 && map.lines_x.size() <= most_lines &&
+                     map.lines_y.size() <= most_lines && ascend(map.lines_x) && ascend(map.lines_y),
                  name);
   reader.require(map.amplitude.size() % nodes == 0 && map.modes() <= nodes &&
                      map.values.size() == (1 + map.modes()) * size,
@@ -126,6 +132,9 @@ void check(const Reader& reader, const SkinData& data) {
   reader.require(data.cell_lines_x.size() >= 2 && data.cell_lines_y.size() >= 2 &&
                      (data.cell_lines_x.size() - 1) * (data.cell_lines_y.size() - 1) == cells,
                  "cell_lines_x");
+  reader.require(ascend(data.cell_lines_x), "cell_lines_x");
+  reader.require(ascend(data.cell_lines_y), "cell_lines_y");
+  reader.require(std::ranges::all_of(data.area, [](double area) { return area > 0; }), "area");
   reader.require(data.lowest_friction >= 0 && data.lowest_friction <= data.friction &&
                      data.friction <= data.highest_friction,
                  "lowest_friction");
@@ -147,6 +156,9 @@ void check(const Reader& reader, const SkinData& data) {
                        channel.y_edges.size() >= 2 && !channel.mean.empty() &&
                        channel.moment.size() == channel.mean.size(),
                    "channel");
+    reader.require(ascend(channel.x_edges) && ascend(channel.y_edges) &&
+                       ascend(channel.fixed_x_edges) && ascend(channel.fixed_y_edges),
+                   "channel.x_edges");
     const std::size_t nodes = channel.strain.lines_x.size() * channel.strain.lines_y.size();
     reader.require(nodes > 0 && channel.strain.size() % row == 0, "channel.strain");
     const std::size_t points = channel.strain.size() / row;

@@ -296,6 +296,10 @@ TEST_F(LiveSkin, RefusesAFileWhoseSizesDoNotFit) {
   refused([](SkinData& wrong) { wrong.gap.pop_back(); });
   refused([](SkinData& wrong) { wrong.compliance.values.pop_back(); });
   refused([](SkinData& wrong) { wrong.compliance.lines_x.assign(40, 0); });
+  refused([](SkinData& wrong) { std::ranges::reverse(wrong.cell_lines_x); });
+  refused([](SkinData& wrong) { wrong.cell_lines_y.assign(wrong.cell_lines_y.size(), 0); });
+  refused([](SkinData& wrong) { wrong.area.front() = 0; });
+  refused([](SkinData& wrong) { std::ranges::reverse(wrong.channels[0].x_edges); });
   refused([](SkinData& wrong) { wrong.channels[0].field.pop_back(); });
   refused([](SkinData& wrong) { wrong.channels[0].fixed_x_edges.clear(); });
   refused([](SkinData& wrong) { wrong.channels[0].fixed_field.push_back(1); });
