@@ -75,7 +75,7 @@ check: check-sources build
 	@cmake --preset sanitize
 	@cmake --build --preset sanitize --parallel $(JOBS)
 	@/usr/bin/python3 scripts/run_tests.py sanitize
-	@scripts/fuzz.sh 3
+	@scripts/fuzz.sh 3 "$$(mktemp -d)" 1
 	@scripts/check_threads.sh threads $(JOBS)
 	@/usr/bin/python3 scripts/run_tests.py check
 
