@@ -309,8 +309,7 @@ bool LiveContact::correct_friction(double time_step, const std::array<double, 2>
   for (std::size_t i = 0; i < tangential_.count();) {
     const std::size_t cell = tangential_.cell(i);
     std::array<double, 3> force{};
-    for (; i < tangential_.count() && tangential_.cell(i) == cell;
-         ++i) { // sum over the directions of the cell
+    for (; i < tangential_.count() && tangential_.cell(i) == cell; ++i) { // its directions
       const std::array<double, 2> change = tangential_.change(i);
       force[1] += change[0];
       force[2] += change[1];
