@@ -36,8 +36,7 @@ public:
   /// @param entry path within the archive
   void add(const std::string& entry, std::string_view bytes) {
     zip_fileinfo info{};
-    constexpr unsigned long first_of_1980 =
-        0x210000; // 1 January 1980, the earliest date of the format
+    constexpr unsigned long first_of_1980 = 0x210000; // 1 January, the format's earliest date
     info.dosDate = first_of_1980;
     constexpr unsigned long regular_file = 0100644ul << 16u; // permissions that unzip sets on Unix
     info.external_fa = regular_file;
