@@ -149,7 +149,7 @@ struct SkinFields::Parts {
   double box_length, box_width; ///< of the box that holds the short waves [m]
   PlaneWaves long_waves, short_waves;
   std::optional<RowStrains> core_rows, electrode_rows; ///< sums of the short waves over rows
-  /// Slider's position along y of those sums [m].
+  /// Position of the slider along y for which these sums hold [m]; empty without the sums.
   std::optional<double> rows_at;
 
   Parts(const FieldSkin& layered, const ContactGrid& contact, const std::vector<double>& heights,
