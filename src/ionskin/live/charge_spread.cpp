@@ -8,6 +8,11 @@
 namespace ionskin::live {
 namespace {
 
+/// Integrals over x and y of fields on a grid, summed over the z levels with weights, from the
+/// lowest corner of the grid to each crossing of its edges [mode][y edge][x edge].
+/// @param fields [mode][level][y][x]
+/// @param x_edges, y_edges edges of the grid [m]
+/// @param weights [level] [C/m2]
 std::vector<float> weighted_integrals(const std::vector<float>& fields,
                                       const std::vector<double>& x_edges,
                                       const std::vector<double>& y_edges,
@@ -17,7 +22,7 @@ std::vector<float> weighted_integrals(const std::vector<float>& fields,
   std::vector<float> result(modes * (rows + 1) * (columns + 1));
   for (std::size_t mode = 0; mode < modes; ++mode) {
     float* integral = result.data() + mode * (rows + 1) * (columns + 1);
-    std::vector<double> below(columns + 1); // to the edges of x, up to one of y
+    std::vector<double> below(columns + 1); // integrals to each x edge, up to the present y edge
     for (std::size_t j = 0; j < rows; ++j) {
       const double height = y_edges[j + 1] - y_edges[j];
       double row = 0;
@@ -158,7 +163,8 @@ void ChargeSpread::drive(const std::array<double, 2>& place, std::span<const dou
       node += scale * *integral++;
     }
   }
-  // A field that rides with the slider falls behind a column as the slider goes on.
+  // Derivatives change their sign: as the slider moves forward, a column moves backward in the
+  // slider's frame.
   const auto from_slider = [](const std::vector<double>& edges, double at, bool slopes) {
     Between result = slopes ? slope_between(edges, at) : between(edges, at);
     for (double& weight : result.weight) {

@@ -7,11 +7,15 @@
 namespace ionskin::live {
 namespace {
 
-constexpr int most_corrections = 100;
-constexpr double solved = 1e-9, nearly_solved = 1e-6; // of the largest displacement by a motion
+constexpr int most_corrections = 100; ///< largest number of iterations
+/// Residuals, as `leave_residual` returns them, at which the iterations stop, and up to which the
+/// result is valid [1].
+constexpr double solved = 1e-9, nearly_solved = 1e-6;
 
-/// Displacement of the underside at a place from the slider's centre by a unit of a motion: how far
-/// down, along x, along y.
+/// Displacement of a point of the underside by a unit of a rigid motion: downward, along x, along y
+/// [m/m] for translations, [m/rad] for rotations.
+/// @param motion index of the motion, 0 to 5
+/// @param at position of the point, from the slider's centre [m]
 std::array<double, 3> moved(std::size_t motion, const std::array<double, 2>& at) {
   switch (motion) {
   case 0:
@@ -36,9 +40,10 @@ std::array<double, 2> times(const std::array<std::array<double, 2>, 2>& matrix, 
 
 } // namespace
 
-/// Fills `surface_by_motion_` with what the cells' equations miss under the forces of
-/// `force_by_motion_`: displacements down [m], and tangential forces [N].
-/// @returns the largest displacement that is missed, over the largest of its motion
+/// Fills `surface_by_motion_` with the residuals of the linearised contact equations for the forces
+/// of `force_by_motion_`: normal displacements, positive downward [m], and tangential forces [N],
+/// by a unit of each motion.
+/// @returns largest residual displacement of a cell over the largest displacement by its motion [1]
 double LiveContact::leave_residual(std::span<const std::size_t> touching,
                                    const State& state) noexcept {
   std::ranges::fill(surface_by_motion_, 0.0);
@@ -84,8 +89,8 @@ double LiveContact::leave_residual(std::span<const std::size_t> touching,
   return worst;
 }
 
-/// In turns for normal and for tangential forces, as a step does, by factors in single precision
-/// that correct what is missed in double precision.
+/// Solves by iterative refinement, alternately for the normal and for the tangential forces as a
+/// step does: factors in single precision, residuals in double precision.
 bool LiveContact::stiffness(const State& state, std::span<double, 36> matrix) noexcept {
   std::ranges::fill(matrix, 0.0);
   std::ranges::fill(force_by_motion_, 0.0);
@@ -135,7 +140,8 @@ bool LiveContact::stiffness(const State& state, std::span<double, 36> matrix) no
       tangential_.solve_factored([&](std::size_t cell) {
         return std::array{defect[3 * cell + 1], defect[3 * cell + 2]};
       });
-      // Along the directions in which forces follow the slip, the compliance decides.
+      // Along the unknowns of `tangential_`, their solution replaces the residual force added
+      // above.
       for (std::size_t k = 0; k < tangential_.count(); ++k) {
         const std::size_t at = 3 * tangential_.cell(k);
         const auto along = tangential_.direction(k);

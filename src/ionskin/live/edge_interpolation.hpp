@@ -30,7 +30,7 @@ inline Between between(const std::vector<double>& edges, double at) noexcept {
 }
 
 /// Finds the edges around a coordinate and the derivatives of their weights by the coordinate; 0
-/// outside the edges. On an edge they are those of the interval above it.
+/// outside the edges. On an edge, the derivatives are taken in the interval above it.
 inline Between slope_between(const std::vector<double>& edges, double at) noexcept {
   Between result = between(edges, at);
   const auto& [low, high] = result.edge;

@@ -14,24 +14,33 @@
 namespace ionskin::live {
 namespace {
 
-constexpr double tolerance = 1e-6; // change of a force in a sweep, over the largest
+/// Residual, as `LiveContact::step` returns it, at which the iterations stop [1].
+constexpr double tolerance = 1e-6;
+/// Largest numbers of sweeps, and of Newton steps for the normal and for the tangential forces. The
+/// larger numbers are for a step that begins without contact.
 constexpr int most_sweeps = 60, most_landing_sweeps = 2000;
 constexpr int most_factors = 8, most_landing_factors = 60;
-/// The compliance changes by less than 1e-5 of itself meanwhile [m].
+/// Distance from the assembled position within which the compliance is reused, since it changes by
+/// less than 1e-5 of itself [m].
 constexpr double assembly_distance = 5e-6;
-/// The stiffness falls with the contact, over that of the heaviest one.
+/// Lower bound on the normal stiffness in a Newton step, over the stiffness under the heaviest
+/// load: a smaller contact is softer [1].
 constexpr double softest = 0.1;
-/// Duration of a step that takes no time, since some laws take 0 for steady sliding [s].
+/// Lower bound on the duration of a step, since some friction laws take 0 for steady sliding [s].
 constexpr double shortest_step = 1e-9;
-/// A residual above this calls for the search.
+/// Residual above which a step under a given force searches for the indentation [1].
 constexpr double searched = 1e-4;
+/// Largest numbers of doublings that bracket the indentation, and of iterations of the search.
 constexpr int most_doublings = 30, most_searches = 60;
-/// A traction nearer to its limit slips.
+/// Relative distance of a traction from its limit below which the cell counts as slipping [1].
 constexpr double slipping = 1e-9;
 
-constexpr std::size_t of_elastic_slip = 3; ///< numbers of a cell in the memory
+/// Number of values of a cell in the memory of a law with elastic slip: slip along x and y [m],
+/// limit traction [Pa].
+constexpr std::size_t of_elastic_slip = 3;
 
-/// Memory of a cell's friction with any coefficient that may be set.
+/// Number of values of a cell in the memory of the friction law, enough for any trained
+/// coefficient.
 std::size_t memory_per_cell(const SkinData& data) {
   const laws::Friction friction = friction_of(data, data.highest_friction);
   return friction.elastic_slip > 0 ? of_elastic_slip : friction.lag > 0 ? 1 : 0;
@@ -61,7 +70,7 @@ LiveContact::LiveContact(const SkinData& data)
     const std::size_t mode = at / size_, own = at % size_;
     diagonals_.push_back(data.compliance.values[(mode * size_ + own) * size_ + own]);
   }
-  if (amplitude_.empty()) { // the same at every place
+  if (amplitude_.empty()) { // no modes: identical compliance at every position
     own_.assign(diagonals_.begin(), diagonals_.end());
   }
   const std::vector<double>&x = data.cell_lines_x, &y = data.cell_lines_y;
@@ -101,8 +110,11 @@ void LiveContact::exchange(laws::Friction& friction, const State& state) noexcep
   }
 }
 
+/// Column of the compliance at the assembled position, assembled when first asked for:
+/// displacements [3 cells] under a unit force [m/N].
+/// @param at index of the force component, of [3 cells]
 const float* LiveContact::column(std::size_t at) noexcept {
-  if (amplitude_.empty()) { // the same at every place
+  if (amplitude_.empty()) { // no modes: identical compliance at every position
     return data_.compliance.values.data() + at * size_;
   }
   float* column = compliance_.data() + at * size_;
@@ -120,6 +132,8 @@ const float* LiveContact::column(std::size_t at) noexcept {
   return column;
 }
 
+/// Adds the surface displacements under additional forces on a cell.
+/// @param force additional force: normal, along x, along y [N]
 void LiveContact::add(std::size_t cell, const std::array<double, 3>& force, State& state) noexcept {
   const float *x = column(3 * cell), *y = column(3 * cell + 1), *z = column(3 * cell + 2);
   double* surface = state.surface.data();
@@ -132,7 +146,7 @@ void LiveContact::add(std::size_t cell, const std::array<double, 3>& force, Stat
   }
 }
 
-/// Takes the gaps of a tilted underside, or those of the upright one.
+/// Sets the gaps of the cells under the underside in a stance, tilted or upright.
 void LiveContact::tilt(const Stance& stance) noexcept {
   const auto& [x, y] = stance.slope;
   const bool tilted = x != 0 || y != 0;
@@ -147,7 +161,7 @@ void LiveContact::tilt(const Stance& stance) noexcept {
   }
 }
 
-/// Slip of the slider over a cell in the step, docs/model.md (78) [m].
+/// Slip of the slider relative to the skin's surface at a cell in the step, docs/model.md (78) [m].
 std::array<double, 2> LiveContact::slip(std::size_t cell, const std::array<double, 2>& travel,
                                         const State& state) const noexcept {
   const std::size_t at = 3 * cell;
@@ -156,7 +170,8 @@ std::array<double, 2> LiveContact::slip(std::size_t cell, const std::array<doubl
           travel[1] + turn_ * x - (state.surface[at + 2] - before_[at + 2])};
 }
 
-/// Response of the friction law of a cell under a normal force [N], at the surfaces of now.
+/// Response of the friction law at a cell under a normal force [N], for the present surface
+/// displacements.
 laws::FrictionResponse LiveContact::friction_at(std::size_t cell, double normal, double time_step,
                                                 const std::array<double, 2>& travel,
                                                 const State& state) const noexcept {
@@ -172,6 +187,8 @@ laws::FrictionResponse LiveContact::friction_at(std::size_t cell, double normal,
                                           elastic_slip(cell, state)});
 }
 
+/// One projected Gauss-Seidel sweep over all cells: updates the force of each cell with the forces
+/// of the other cells fixed.
 LiveContact::Sweep LiveContact::sweep(double time_step, const std::array<double, 2>& travel,
                                       State& state) noexcept {
   Sweep result;
@@ -180,7 +197,7 @@ LiveContact::Sweep LiveContact::sweep(double time_step, const std::array<double,
         0.0, state.force[at] + (state.indentation - gap_[cell] - state.surface[at]) / own_[at]);
     const double* force = &state.force[at];
     if (normal == 0 && force[0] == 0 && force[1] == 0 && force[2] == 0) {
-      continue; // open as it was
+      continue; // was open and stays open
     }
     const double area = data_.area[cell];
     const laws::FrictionResponse response = friction_at(cell, normal, time_step, travel, state);
@@ -201,6 +218,7 @@ LiveContact::Sweep LiveContact::sweep(double time_step, const std::array<double,
   return result;
 }
 
+/// Indices of the cells whose normal force is positive, in `touching_`.
 std::span<const std::size_t> LiveContact::find_touching(const State& state) noexcept {
   std::size_t count = 0;
   for (std::size_t cell = 0; cell < data_.area.size(); ++cell) {
@@ -211,7 +229,9 @@ std::span<const std::size_t> LiveContact::find_touching(const State& state) noex
   return std::span(touching_).first(count);
 }
 
-/// Takes and factors the normal compliance of the cells that touch, with their friction.
+/// Sets up and factorises the normal compliance of the cells in contact; tangential forces follow
+/// the normal force of their cell (`drag_`).
+/// @returns false if the matrix could not be factorised
 bool LiveContact::take_normal(std::span<const std::size_t> touching) noexcept {
   correction_.take(touching);
   for (std::size_t j = 0; j < touching.size(); ++j) {
@@ -228,9 +248,10 @@ bool LiveContact::take_normal(std::span<const std::size_t> touching) noexcept {
   return correction_.factor();
 }
 
-/// Newton's step for the normal forces of the cells that touch, while friction follows them where a
-/// cell slips; under a force the indentation follows too.
-/// @returns false when nothing has changed
+/// Newton step for the normal forces of the cells in contact. Tangential forces of slipping cells
+/// follow the normal force; under a given force, the indentation changes too.
+/// @returns false, with the forces unchanged, if nothing touches or the matrix could not be
+/// factorised
 bool LiveContact::correct(const Load& load, State& state) noexcept {
   const std::span<const std::size_t> touching = find_touching(state);
   const std::size_t count = touching.size();
@@ -269,8 +290,8 @@ bool LiveContact::correct(const Load& load, State& state) noexcept {
   return true;
 }
 
-/// Newton's step for the tangential forces, while the normal ones stay.
-/// @returns false when nothing has changed
+/// Newton step for the tangential forces, with the normal forces fixed.
+/// @returns false, with the forces unchanged, if no tangential force can follow its slip
 bool LiveContact::correct_friction(double time_step, const std::array<double, 2>& travel,
                                    State& state) noexcept {
   tangential_.clear();
@@ -288,7 +309,7 @@ bool LiveContact::correct_friction(double time_step, const std::array<double, 2>
   for (std::size_t i = 0; i < tangential_.count();) {
     const std::size_t cell = tangential_.cell(i);
     std::array<double, 3> force{};
-    for (; i < tangential_.count() && tangential_.cell(i) == cell; ++i) { // along both directions
+    for (; i < tangential_.count() && tangential_.cell(i) == cell; ++i) { // its directions
       const std::array<double, 2> change = tangential_.change(i);
       force[1] += change[0];
       force[2] += change[1];
@@ -300,7 +321,8 @@ bool LiveContact::correct_friction(double time_step, const std::array<double, 2>
   return tangential_.count() > 0;
 }
 
-/// At the begin of the step, until it is remembered.
+/// Elastic slip of a cell as the memory holds it, which is that at the beginning of the step until
+/// `remember` replaces it; zeros for a law without elastic slip.
 laws::ElasticSlip LiveContact::elastic_slip(std::size_t cell, const State& state) const noexcept {
   if (friction_.elastic_slip == 0) {
     return {};
@@ -309,7 +331,8 @@ laws::ElasticSlip LiveContact::elastic_slip(std::size_t cell, const State& state
   return {{memory[0], memory[1]}, memory[2]};
 }
 
-/// Remembers which cells slip, and what friction keeps of their slip: nothing where there is none.
+/// Sets, at the end of a step, which cells slip, and the memory of the friction law; all zeros
+/// without friction.
 void LiveContact::remember(double time_step, const std::array<double, 2>& travel,
                            State& state) noexcept {
   if (friction_.coefficient == 0) {
@@ -379,6 +402,7 @@ double LiveContact::step(double time_step, const std::array<double, 2>& place,
   return residual;
 }
 
+/// Sets `largest_` and `total_` from the normal forces.
 void LiveContact::add_up(const State& state) noexcept {
   largest_ = total_ = 0;
   for (std::size_t at = 0; at < size_; at += 3) {
@@ -387,8 +411,9 @@ void LiveContact::add_up(const State& state) noexcept {
   }
 }
 
-/// Sweeps and Newton's steps until nothing changes, or too many.
-/// @returns what the last sweep still changed, or what misses the given force, relative
+/// Alternates sweeps and Newton steps until the residual is within the tolerance, or the sweeps are
+/// used up.
+/// @returns residual, as `step` returns it [1]
 double LiveContact::settle(double time_step, const std::array<double, 2>& travel, const Load& load,
                            State& state) noexcept {
   add_up(state);
@@ -402,8 +427,8 @@ double LiveContact::settle(double time_step, const std::array<double, 2>& travel
   for (int i = 0; i < (landing ? most_landing_sweeps : most_sweeps); ++i) {
     const Sweep changed = sweep(time_step, travel, state);
     add_up(state);
-    // A slider that is lifted may leave no cell loaded for one sweep, before those that it still
-    // reaches rise.
+    // While the slider is lifted, a sweep may unload all cells, before the surface rises and
+    // touches the slider again at some of them.
     const double scale = largest_ > 0 ? 1 / largest_ : changed.change > 0 ? 1 / changed.change : 0;
     const double left = load.is_force ? std::abs(load.value - total_) / load.value : 0;
     residual = std::max(changed.change * scale, left);
@@ -424,8 +449,10 @@ double LiveContact::settle(double time_step, const std::array<double, 2>& travel
   return residual;
 }
 
-/// Where Newton's steps miss a force, which they may from far away: the indentation that carries it
-/// lies between none and one that carries more.
+/// Searches for the indentation that carries a given force, where Newton steps from a distant start
+/// miss it. Brackets it between the first touch and an indentation that carries more, then finds
+/// the root.
+/// @returns residual, as `step` returns it [1]
 double LiveContact::search(double time_step, const std::array<double, 2>& travel, const Load& load,
                            State& state) noexcept {
   double residual = 1;
@@ -445,7 +472,8 @@ double LiveContact::search(double time_step, const std::array<double, 2>& travel
     return std::max(residual, -high_excess);
   }
   double missed = high_excess;
-  // A cell with a negative compliance, in a file that is wrong, carries before any is touched.
+  // In an invalid file, a cell with a negative compliance carries force at the first touch: there
+  // is no bracket.
   if (high_excess > tolerance && low < high) {
     std::uintmax_t most = most_searches;
     double at = high;

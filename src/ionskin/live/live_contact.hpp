@@ -16,8 +16,9 @@ namespace ionskin::live {
 /// Solves increments of frictional contact between slider and skin for the reduced-order model.
 /// Each step does a limited number of projected Gauss-Seidel sweeps, which start from the forces of
 /// the last step, with Newton steps for the normal and for the tangential forces in between. Where
-/// these miss a given force, a bracketed search over the indentation follows. A step never fails;
-/// it returns the remaining residual. Only construction and `set_friction` allocate.
+/// sweeps and Newton steps miss a given force, a bracketed search over the indentation follows. A
+/// step never fails; it returns the remaining residual. Only construction and `set_friction`
+/// allocate.
 class LiveContact {
 public:
   /// State that passes from step to step. The caller owns the memory.
@@ -56,7 +57,7 @@ public:
   /// @param time_step duration of the step [s]
   /// @param place position of the slider's centre at the end of the step [m]
   /// @param travel displacement of the slider's centre in the step [m]
-  /// @param state that before the step on entry, that after the step on return
+  /// @param state on entry, state before the step; on return, state after the step
   /// @returns residual: largest change of a force in the last sweep over the largest normal force,
   /// or relative error of a given force, whichever is larger [1]
   double step(double time_step, const std::array<double, 2>& place,
@@ -100,7 +101,7 @@ public:
   double friction() const { return friction_.coefficient; }
 
 private:
-  // Largest changes of a force component in a sweep, of all and of the normal ones [N].
+  /// Largest change of a force component in a sweep: of any component, and of a normal one [N].
   struct Sweep {
     double change = 0, normal_change = 0;
   };
@@ -132,9 +133,9 @@ private:
   laws::Friction friction_;
   std::size_t size_, memory_size_;
   std::vector<double> gap_; ///< gap of each cell in the stance of the step [m]
-  bool tilted_ = false;
-  double first_touch_;
-  std::vector<std::array<double, 2>> middle_;
+  bool tilted_ = false;     ///< true if `gap_` is that of a tilted underside
+  double first_touch_;      ///< indentation at which the first cell touches: smallest gap [m]
+  std::vector<std::array<double, 2>> middle_; ///< middle of each cell, from the slider's centre [m]
   /// Compliance at the assembled position, of the columns in `assembled_` [column][row] [m/N].
   std::vector<float> compliance_;
   std::vector<char> assembled_; ///< true for the columns of `compliance_` that are set
@@ -149,7 +150,9 @@ private:
   NormalCorrection correction_;
   TangentialCorrection tangential_;
   double largest_ = 0, total_ = 0; ///< largest normal force of a cell, and sum over all cells [N]
-  std::vector<std::size_t> touching_;
+  std::vector<std::size_t> touching_; ///< work array: indices of the cells in contact
+  /// Work arrays of the normal Newton step: gaps that remain to be closed [m], then force changes
+  /// by them [N]; and force changes by a unit of indentation [N/m] [cell in contact].
   std::vector<float> from_gaps_, from_indentation_;
   // Last step, for the derivatives.
   bool stepped_ = false;
@@ -157,8 +160,8 @@ private:
   std::array<double, 2> travel_{};
   double turn_ = 0;
   std::vector<double> memory_before_;
-  /// Derivatives of the cell forces by each motion, and those of the surface displacements, which
-  /// `stiffness` replaces by the residuals of the equations [motion][3 cells].
+  /// Derivatives of the cell forces and of the surface displacements by each motion; `stiffness`
+  /// replaces the displacements by the residuals of the equations [motion][3 cells].
   std::vector<double> force_by_motion_, surface_by_motion_;
 };
 

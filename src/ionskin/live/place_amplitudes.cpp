@@ -6,6 +6,7 @@
 namespace ionskin::live {
 namespace {
 
+/// Computes the Lagrange weights of the lines at a coordinate.
 void lagrange(const std::vector<double>& lines, double at, std::span<double> weights) noexcept {
   for (std::size_t i = 0; i < lines.size(); ++i) {
     weights[i] = 1;
@@ -17,6 +18,7 @@ void lagrange(const std::vector<double>& lines, double at, std::span<double> wei
   }
 }
 
+/// Computes the derivatives of the Lagrange weights by the coordinate.
 void lagrange_slope(const std::vector<double>& lines, double at,
                     std::span<double> weights) noexcept {
   for (std::size_t i = 0; i < lines.size(); ++i) {
@@ -35,6 +37,7 @@ void lagrange_slope(const std::vector<double>& lines, double at,
 
 using LineWeights = std::array<double, most_lines>;
 
+/// Sums the amplitudes at the nodes, weighted along x and along y.
 void add_nodes(const PlaceMap& map, const LineWeights& x, const LineWeights& y,
                std::span<double> amplitudes) noexcept {
   std::fill(amplitudes.begin(), amplitudes.end(), 0.0);

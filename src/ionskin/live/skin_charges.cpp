@@ -5,14 +5,18 @@
 
 namespace ionskin::live {
 
-/// Integrals of the driving channel over a region, with weights.
+/// Weighted sum over the z levels of the integrals of the driving channel over a region; in laws
+/// that depend on the mean over the core, also of the integrals over the core times the region's
+/// share of its area [C].
+/// @param region 0 for the core, then the taxels
+/// @param weights [model.inputs] [C/m2]
 double Skin::drive(const ChargeModel& model, std::size_t region,
                    const double* weights) const noexcept {
   const std::size_t levels = data_.channels.back().mean.size();
   double sum = 0;
   for (std::size_t i = 0; i < levels; ++i) {
     sum += weights[i] * levels_[region * levels + i];
-    if (model.inputs > levels) { // the mean over the core moves ions here too
+    if (model.inputs > levels) { // laws that depend on the mean over the core
       sum += weights[levels + i] * region_share_[region] * levels_[i];
     }
   }
@@ -71,7 +75,9 @@ void Skin::add_spread(const Pressed& pressed, std::span<const double> amplitude)
   }
 }
 
-/// Integrals over every region of what `to` integrates up to a corner.
+/// Fills `levels_` with the integrals of a channel over every region, from its integrals up to the
+/// regions' corners.
+/// @param to called with a corner [m] and the span that receives the integrals there [level]
 template <class IntegrateTo> void Skin::set_levels(std::size_t levels, IntegrateTo&& to) noexcept {
   const auto at = [&](std::size_t corner) {
     return std::span(corner_levels_).subspan(corner * levels, levels);
@@ -95,8 +101,10 @@ void Skin::set_field_levels(const ChannelField& field, std::size_t lane,
   });
 }
 
-/// Fills `charge_slope_` with the derivatives of the outputs by a motion, of a field that knows
-/// those of its amplitudes. The drives of the step's begin stay.
+/// Fills `charge_slope_` with the derivatives of the charges, at the end of the last step, by a
+/// rigid motion of the slider. The drives at the beginning of the step count as constant.
+/// @param field of the driving channel, after `differentiate`
+/// @param motion index of the motion, 0 to 5
 void Skin::set_charge_slopes(const ChannelField& field, std::size_t motion) noexcept {
   set_levels(field.levels(), [&](const std::array<double, 2>& corner, std::span<double> levels) {
     field.integrate_slope_to(motion, last_.place, corner, levels);

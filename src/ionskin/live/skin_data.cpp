@@ -21,7 +21,8 @@ namespace {
 static_assert(std::endian::native == std::endian::little, "the file is little-endian");
 
 constexpr std::string_view magic = "ionskin live skin, format 7\n";
-constexpr double most_tilt = 0.1; // beyond 5 degrees [rad]
+/// Upper bound on the trained tilt in a file [rad]; training accepts up to 5 degrees.
+constexpr double most_tilt = 0.1;
 constexpr std::size_t most_waves = 1000, most_columns = 5000;
 constexpr std::size_t largest_file = 256u << 20u;
 
@@ -39,7 +40,9 @@ void visit_model(Archive& archive, const std::string& name, Model& model) {
   archive.entry(name + ".residue", model.residue);
 }
 
-/// The layout of the file: reading and writing pass here alike.
+/// Visits all entries of a file in their order. Reading and writing share this function, so that
+/// the two layouts cannot differ.
+/// @param archive `Writer` or `Reader`
 template <class Archive, class Data> void visit(Archive& archive, Data& data) {
   archive.entry("version", data.version);
   archive.entry("case", data.case_text);
@@ -115,6 +118,8 @@ bool ascend(const std::vector<double>& lines) {
   return std::ranges::adjacent_find(lines, std::greater_equal{}) == lines.end();
 }
 
+/// Throws UserError unless the sizes and nodes of a map are consistent.
+/// @param size expected length of the vector
 void check_map(const Reader& reader, const std::string& name, const PlaceMap& map,
                std::size_t size) {
   const std::size_t nodes = map.lines_x.size() * map.lines_y.size();
@@ -126,6 +131,7 @@ void check_map(const Reader& reader, const std::string& name, const PlaceMap& ma
                  name);
 }
 
+/// Throws UserError unless the arrays of a file fit each other and its numbers are plausible.
 void check(const Reader& reader, const SkinData& data) {
   const std::size_t cells = data.area.size();
   reader.require(cells > 0 && cells < 10000 && data.gap.size() == cells, "gap");
@@ -141,7 +147,7 @@ void check(const Reader& reader, const SkinData& data) {
   reader.require(data.friction_parameters.size() == data.friction_values.size(), "friction_values");
   try {
     friction_of(data, data.friction);
-  } catch (const std::exception&) { // a law or a parameter that this version lacks
+  } catch (const std::exception&) { // this version lacks the law or a parameter
     reader.require(false, "friction_law");
   }
   check_map(reader, "compliance", data.compliance, 9 * cells * cells);
@@ -234,7 +240,7 @@ void write_skin(const std::filesystem::path& path, const SkinData& data) {
 bool is_skin_file(const std::filesystem::path& path) {
   std::error_code failure;
   if (!std::filesystem::is_regular_file(path, failure)) {
-    return false; // what is read from a pipe is gone
+    return false; // reading from a pipe would consume its content
   }
   constexpr std::string_view start = magic.substr(0, magic.find(','));
   std::array<char, start.size()> bytes{};

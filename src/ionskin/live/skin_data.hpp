@@ -45,20 +45,20 @@ struct ChannelMap {
   std::vector<float> field;
   std::vector<double> x_edges, y_edges; ///< edges of the cells, from the slider's centre [m]
   /// Modes that stay with the skin, as strain at its ends does, on cells that are fixed to it
-  /// [mode][z][y][x]. They follow the others in `fit`.
+  /// [mode][z][y][x]. In `fit`, they follow the modes that move with the slider.
   std::vector<float> fixed_field;
   /// Edges of the cells that are fixed to the skin, from its corner [m].
   std::vector<double> fixed_x_edges, fixed_y_edges;
-  /// Weights of the z levels for the integral of a field over the thickness, and for that of the
-  /// field times (zeta/h - 1/2) [z] [m].
+  /// Weights of the z levels for the integral over the thickness of a field, and of the field times
+  /// (zeta/h - 1/2) [z] [m].
   std::vector<double> mean, moment;
 };
 
 /// Charges on both electrodes of a region of the core, as a linear system. The inputs are the
 /// integrals of the driving channel over the region's area, one for each z level [m2]; in laws that
-/// depend on the mean over the core, those of the whole core times the region's share of its area
-/// follow. Each charge is the sum of an instantaneous part and of first-order states, whose rates
-/// are `SkinData::rates`.
+/// depend on the mean over the core, the integrals over the whole core times the region's share of
+/// its area follow. Each charge is the sum of an instantaneous part and of first-order states,
+/// whose rates are `SkinData::rates`.
 struct ChargeModel {
   std::uint64_t inputs = 0;
   std::vector<double> direct; ///< weights of the instantaneous part [top, bottom][input] [C/m2]

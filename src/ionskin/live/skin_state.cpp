@@ -8,11 +8,11 @@
 namespace ionskin::live {
 namespace {
 
-/// A load is taken at no more than 100 times the trained one, and a contact stiffens as it grows: a
-/// step leaves less than so many times the trained force and indentation.
+/// Bound on the cell forces and displacements of a valid state, over the largest trained force and
+/// indentation [1]. A step limits its load to the trained one, and so leaves far smaller values.
 constexpr double wildest = 1e6;
-/// Largest magnitude of what follows from forces, in SI units; far from what would overflow in a
-/// step.
+/// Bound on the memory of friction and on the numbers of the charges in a valid state, in SI units:
+/// small enough that a step cannot overflow.
 constexpr double largest = 1e30;
 
 bool all_within(std::span<const double> values, double most) {
@@ -51,7 +51,7 @@ bool Skin::may_be_state(std::span<const double> state) const noexcept {
   if (state.size() != state_.size()) {
     return false;
   }
-  if (state[started] == 0) { // what `reset` leaves, and nothing else
+  if (state[started] == 0) { // before the first step, only the state that `reset` sets is valid
     return std::isnan(state[assembled_x]) && std::isnan(state[assembled_y]) &&
            all_within(state.first(assembled_x), 0) && all_within(state.subspan(indentation), 0);
   }
@@ -61,7 +61,7 @@ bool Skin::may_be_state(std::span<const double> state) const noexcept {
   const double most_force = wildest * data_.heaviest_force,
                most_length = wildest * data_.deepest_indentation;
   for (std::size_t at = force_; at < surface_; at += 3) {
-    if (!(state[at] >= 0)) { // no cell pulls
+    if (!(state[at] >= 0)) { // the normal force of a cell cannot be negative
       return false;
     }
   }

@@ -11,7 +11,8 @@ namespace {
 
 using Weights = std::array<double, slopes_on_a_side + 1>;
 
-/// Weights of the lines from `begin` on, a side of the table.
+/// Lagrange weights, at a slope, of the lines on one side of the table, 0 included.
+/// @param begin index of the first line of the side
 Weights weights_at(std::span<const double> lines, std::size_t begin, double slope) noexcept {
   Weights weights{};
   for (std::size_t i = 0; i < weights.size(); ++i) {

@@ -18,6 +18,7 @@
 namespace ionskin::mechanics {
 namespace {
 
+/// Variants with the chosen indices.
 std::vector<ContactVariant> choose(const std::vector<ContactVariant>& variants,
                                    const std::vector<std::size_t>& chosen) {
   std::vector<ContactVariant> result;

@@ -22,10 +22,12 @@
 namespace ionskin::mechanics {
 namespace {
 
-constexpr int most_passes = 12;
+constexpr int most_passes = 12; ///< largest number of passes over all sliders
 /// Share of the remaining progress that one pass takes [1]; a few passes are usual.
 constexpr double share_of_pass = 0.4;
 
+/// Throws UserError unless all sliders follow rigid paths without adhesion and have cycles of one
+/// duration.
 void require_together(const std::vector<Case>& sliders) {
   for (std::size_t i = 0; i < sliders.size(); ++i) {
     const Case& one = sliders[i];
@@ -59,9 +61,9 @@ Whereabouts whereabouts(const std::vector<MotionLeg>& legs, double time) {
   return {at.centre(std::clamp(time - at.begin, 0.0, at.duration)), at.touches()};
 }
 
-/// Least distance of two sliders while both may touch [m]. It is searched between instants at which
-/// legs end: between these both sliders move evenly, and the distance of two rectangles is a convex
-/// function of their relative position.
+/// Smallest distance between the footprints of two sliders while both may touch [m]. Searches each
+/// interval between instants at which legs end: within it both sliders move at constant velocity,
+/// and the distance of two rectangles is a convex function of their relative position.
 double least_distance(const std::vector<MotionLeg>& one, const mesh::Footprint& of_one,
                       const std::vector<MotionLeg>& other, const mesh::Footprint& of_other) {
   std::vector<double> instants{0};
@@ -93,6 +95,7 @@ double least_distance(const std::vector<MotionLeg>& one, const mesh::Footprint& 
   return least;
 }
 
+/// Throws UserError where two sliders come nearer to each other than the short waves reach.
 void require_apart(const std::vector<Case>& sliders,
                    const std::vector<mesh::Footprint>& footprints) {
   for (std::size_t i = 0; i < sliders.size(); ++i) {
@@ -119,6 +122,7 @@ void require_apart(const std::vector<Case>& sliders,
   }
 }
 
+/// True if all sliders press on the middle of the width, so that half of the skin can be modelled.
 bool all_on_middle(const std::vector<Case>& sliders,
                    const std::vector<mesh::Footprint>& footprints) {
   for (std::size_t i = 0; i < sliders.size(); ++i) {

@@ -27,12 +27,13 @@
 namespace ionskin::mechanics {
 namespace {
 
-/// Share of the progress that a pass takes which may be followed by another one, on a wider
-/// footprint, as under a round slider [1].
+/// Share of the progress of a pass that may be followed by another pass on a wider footprint, as
+/// under a round slider [1].
 constexpr double share_of_uncertain_pass = 0.9;
-constexpr std::size_t units_per_path = 10; // of the progress
-constexpr double force_share = 0.4;        // of the resolution's square
-constexpr double area_tolerance = 0.02;
+constexpr std::size_t units_per_path = 10; ///< units of progress of one path
+/// Tolerance of the forces in the thinning of a path, over the square of the path resolution [1].
+constexpr double force_share = 0.4;
+constexpr double area_tolerance = 0.02; ///< tolerance of areas in the thinning of a path [1]
 
 ThinningTolerance thinning_tolerance(const Case& input, const mesh::Footprint& footprint) {
   const double resolution = path_resolution(input.numerics);
@@ -83,7 +84,7 @@ std::size_t most_tries(const Case& input) {
 
 std::optional<DriveOptions> drive_options(const Case& input, const SkinModel& model,
                                           double longest_travel, const PathSteps& steps) {
-  constexpr double share = 0.2; // of the square of the resolution
+  constexpr double share = 0.2; // tolerance over the square of the resolution
   if (!input.motion.drive.given()) {
     return std::nullopt;
   }
@@ -102,6 +103,7 @@ ContactSolution empty_solution(const SkinModel& model) {
       .mesh = model.mesh, .cell_lines_x = model.cells.lines_x, .cell_lines_y = model.cells.lines_y};
 }
 
+/// Steps the slider along its path with one variant of the contact, and thins the path.
 ContactSolution solve_path(const Case& input, const std::vector<MotionLeg>& legs,
                            const SkinModel& model, const std::shared_ptr<SteppedStrains>& strains,
                            const ContactVariant& variant, const ContactOptions& contact_options,
@@ -170,7 +172,7 @@ ContactSolution solve_path(const Case& input, const std::vector<MotionLeg>& legs
 /// Adds a warning where a slider on a drive came nearer to an edge of the skin than the skin was
 /// resolved for.
 void warn_of_near_edges(const Case& input, const SkinModel& model, ContactSolution& contact) {
-  constexpr double tolerated = 0.9; // of the reach of short waves
+  constexpr double tolerated = 0.9; // actual reach of short waves over the expected one
   MotionBox places = model.places;
   for (const SteppedInstant& instant : contact.stepped) {
     for (std::size_t d = 0; d < 2 && instant.state; ++d) {
@@ -188,6 +190,7 @@ void warn_of_near_edges(const Case& input, const SkinModel& model, ContactSoluti
   }
 }
 
+/// Adds a warning where a height map has features finer than the contact cells.
 void warn_of_unresolved_map(const Case& input, ContactSolution& contact) {
   double deepest = 0;
   for (const SteppedInstant& instant : contact.stepped) {
@@ -253,7 +256,7 @@ std::vector<SteppedSolution> solve_stepped(const Case& input, const mesh::Footpr
     // Each variant decides for itself, so that no solution depends on the others.
     solutions[i].wider = widened_footprint(input, footprint, contact);
     if (solutions[i].wider) {
-      contact = empty_solution(*model); // its strains are not recovered
+      contact = empty_solution(*model); // discarded, as a wider footprint follows
     }
   });
   return solutions;

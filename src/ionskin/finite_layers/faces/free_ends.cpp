@@ -20,6 +20,7 @@ std::vector<Eigen::Index> modes_of(Parity parity, Eigen::Index count) {
   return modes;
 }
 
+/// Factor of a mode in the sum over cosine modes: 1 for the uniform mode 0, 2 for all others.
 double multiplicity(Eigen::Index mode) {
   return mode == 0 ? 1 : 2;
 }

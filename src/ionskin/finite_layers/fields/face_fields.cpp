@@ -11,6 +11,7 @@ namespace {
 
 using AllPlaces = std::vector<const std::vector<Interval>*>;
 
+/// Places of all states along one direction.
 AllPlaces along(std::vector<Interval> FieldPlaces::*direction,
                 const std::vector<FieldPlaces>& places) {
   AllPlaces result;

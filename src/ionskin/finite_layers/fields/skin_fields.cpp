@@ -19,6 +19,7 @@ constexpr double same_place = 1e-9;
 /// average out.
 constexpr double column_waves = 100;
 
+/// Intervals between successive lines [m].
 std::vector<Interval> intervals(const std::vector<double>& lines) {
   std::vector<Interval> result;
   for (std::size_t i = 0; i + 1 < lines.size(); ++i) {
@@ -33,6 +34,7 @@ std::vector<Interval> with_whole(std::vector<Interval> places, double extent) {
   return places;
 }
 
+/// Distance from the first line to the last one [m].
 double size_of(const std::vector<double>& lines) {
   return lines.back() - lines.front();
 }
@@ -44,6 +46,8 @@ double thickness(const std::vector<ElasticLayer>& layers, std::size_t from) {
       [](double sum, const ElasticLayer& layer) { return sum + layer.thickness; });
 }
 
+/// Levels in the core at given heights above its bottom [m]. Waves beyond the cutoff of a level
+/// have decayed to less than the tolerance on their way from the top face.
 FieldLevels core_levels(const FieldSkin& skin, const std::vector<double>& heights,
                         double tolerance) {
   FieldLevels result;
@@ -58,6 +62,8 @@ FieldLevels core_levels(const FieldSkin& skin, const std::vector<double>& height
   return result;
 }
 
+/// Levels of the electrodes, one for the mean through each layer.
+/// @param column size of the columns over which their strain is averaged [m]
 FieldLevels electrode_levels(const FieldSkin& skin, double column, double tolerance) {
   FieldLevels result;
   for (std::size_t i = 0; i < skin.layers.size(); ++i) {
@@ -85,12 +91,14 @@ double footprint_width(const ContactGrid& cells) {
   return cells.half ? -2 * cells.y.front() : size_of(cells.y);
 }
 
+/// Sorts forces by component, [column, row] [N].
+/// @param forces [3 cells] [N]
 CellForces by_cells(const ContactGrid& cells, const std::vector<double>& forces) {
   CellForces result;
   for (std::size_t c = 0; c < 3; ++c) {
     const Eigen::Map<const Eigen::MatrixXd, 0, Eigen::InnerStride<3>> own(
         forces.data() + c, cells.columns(), cells.rows());
-    result[c] = (cells.half ? 2 : 1) * own; // even modes only: the mirror image adds the same
+    result[c] = (cells.half ? 2 : 1) * own; // in even modes, the mirror image doubles the force
   }
   return result;
 }
@@ -141,7 +149,7 @@ struct SkinFields::Parts {
   double box_length, box_width; ///< of the box that holds the short waves [m]
   PlaneWaves long_waves, short_waves;
   std::optional<RowStrains> core_rows, electrode_rows; ///< sums of the short waves over rows
-  /// Slider's position along y of those sums [m].
+  /// Position of the slider along y for which these sums hold [m]; empty without the sums.
   std::optional<double> rows_at;
 
   Parts(const FieldSkin& layered, const ContactGrid& contact, const std::vector<double>& heights,

@@ -17,7 +17,8 @@ double mean_over_cell(double wave_number, double size) {
 
 InverseWaves::InverseWaves(const ContactGrid& grid, const std::vector<WavesOfBody>& bodies)
     : half_(grid.half), fourier_(grid.columns(), grid.rows()) {
-  constexpr int orders = 1; // of aliased waves to either side, identical on the cells
+  // Number of aliased waves that are added on either side; their values on the cells are identical.
+  constexpr int orders = 1;
   const double width = grid.column(0).size(), height = grid.row(0).size(), area = width * height;
   const double step_x = 2 * std::numbers::pi / (width * static_cast<double>(fourier_.columns())),
                step_y = 2 * std::numbers::pi / (height * static_cast<double>(fourier_.rows()));

@@ -11,8 +11,8 @@
 namespace ionskin::finite_layers {
 namespace {
 
-/// Distance of two cells over their size beyond which a few points represent them, to 4e-6 of their
-/// compliance.
+/// Distance of two cells over their size beyond which a few points represent each cell, with an
+/// error of 4e-6 of their compliance [1].
 constexpr double far_apart = 6;
 
 /// Distance between two points of two intervals [m], with its weight among all pairs [1].
@@ -70,6 +70,8 @@ std::vector<Distance> distances(const Interval& at, const Interval& from, double
   return result;
 }
 
+/// Adds a compliance to a sum, given by its parts as in `RadialCompliance`, with the angle factors
+/// applied.
 void add(double normal, double isotropic, double cosine, double sine, double mixed_u,
          double mixed_v, CellCompliance& sum) {
   sum(0, 0) += normal;

@@ -13,9 +13,9 @@
 namespace ionskin::finite_layers {
 namespace {
 
-/// Offset over the finest length, for a table that is uniform in ln(r + offset).
+/// Offset over the finest length, for a table that is uniform in ln(r + offset) [1].
 constexpr double offset_share = 0.5;
-constexpr double intervals_of_distance = 100;
+constexpr double intervals_of_distance = 100; ///< intervals of the table per unit of ln(r + offset)
 /// Wave number times distance above which waves cancel, as the compliance varies slowly there.
 constexpr double cancelling = 120;
 
@@ -72,6 +72,8 @@ RadialCompliance transform(const SurfaceCompliance& surface, const WaveSplit& sp
   return sum;
 }
 
+/// Half-space compliance times the distance [m2/N], from the compliance times the wave number
+/// [1/Pa].
 RadialCompliance over_distance(const WaveCompliance& half_space) {
   const double factor = 1 / (2 * std::numbers::pi);
   return {factor * half_space.normal, factor * half_space.mixed,

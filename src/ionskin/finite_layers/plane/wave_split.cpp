@@ -8,7 +8,9 @@
 namespace ionskin::finite_layers {
 namespace {
 
-constexpr int order = 8; // the short waves begin with x^(2 order)
+/// Number of terms in the share of the long waves; the share of the short waves begins like x^(2
+/// order).
+constexpr int order = 8;
 
 } // namespace
 
@@ -27,7 +29,7 @@ double WaveSplit::long_share(double wave_number) const {
     return 0;
   }
   const double x = wave_number / (2 * kappa_), square = x * x;
-  double sum = 1; // of square^i / i!, i < order
+  double sum = 1; // sum of square^i / i! over i < order
   for (int i = order - 1; i > 0; --i) {
     sum = 1 + square / i * sum;
   }

@@ -94,7 +94,7 @@ NearEnds LayeredSkin::near_ends(double clearance) const {
   const double reach = std::max(resolution.reach, 2 * clearance);
   const WaveSplit split(reach, resolution.split_tolerance);
   NearEnds result{Eigen::ArrayXd::Ones(waves.size()), resolution.face_waves / reach};
-  if (reach > resolution.reach) { // otherwise the modes have this share already
+  if (reach > resolution.reach) { // otherwise the modes include this share already
     const Eigen::ArrayXd share = waves.unaryExpr([&](double k) { return split.long_share(k); });
     result.share = share.head((share >= least_share).count());
   }

@@ -18,7 +18,8 @@ struct FaceResponse {
 /// Calculates the responses of all faces, from the base to the top.
 std::vector<FaceResponse> face_responses(const std::vector<ElasticLayer>& layers, double k) {
   const std::size_t count = layers.size();
-  std::vector<FaceResponse> follows(count), faces(count + 1); // follows: bottom over top of a layer
+  // `follows` holds the displacement of each layer's bottom over that of its top [1].
+  std::vector<FaceResponse> follows(count), faces(count + 1);
   Eigen::Matrix2d below = Eigen::Matrix2d::Zero();
   double below_across = 0;
   for (std::size_t i = 0; i < count; ++i) {

@@ -11,6 +11,7 @@
 namespace ionskin::finite_layers {
 namespace {
 
+/// Evaluates `plane_strain_field` from the closed-form solutions of a layer.
 Eigen::Matrix4d closed_form(const ElasticLayer& layer, double k, LayerHeight height) {
   Eigen::Matrix4d faces;
   faces << wave_displacement(layer, k, 0), wave_displacement(layer, k, layer.thickness);
@@ -23,6 +24,7 @@ Eigen::Matrix4d closed_form(const ElasticLayer& layer, double k, LayerHeight hei
   return faces.transpose().partialPivLu().solve(waves.transpose()).transpose();
 }
 
+/// Evaluates `plane_strain_field` of a thin layer from its finite element.
 Eigen::Matrix4d one_element(const ElasticLayer& layer, double k, LayerHeight height) {
   const ThinLayer thin(layer, k);
   const LobattoElement& element = thin.element();

@@ -11,6 +11,7 @@
 namespace ionskin::finite_layers {
 namespace {
 
+/// Evaluates `plane_strain_stiffness` from the closed-form solutions of a layer.
 Eigen::Matrix4d closed_form(const ElasticLayer& layer, double k) {
   Eigen::Matrix4d displacement, traction;
   displacement << wave_displacement(layer, k, 0), wave_displacement(layer, k, layer.thickness);

@@ -6,7 +6,8 @@
 namespace ionskin::finite_layers {
 namespace {
 
-constexpr double thin_layer = 0.5; // k t
+/// Wave number times thickness, k t, below which a layer counts as thin [1].
+constexpr double thin_layer = 0.5;
 
 } // namespace
 

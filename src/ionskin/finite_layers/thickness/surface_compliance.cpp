@@ -19,12 +19,13 @@ constexpr double uniform_below = 1e-6;
 /// Wave number times the thickness of the top layer above which the layers below are not felt:
 /// their effect falls like (k t)^2 exp(-2 k t).
 constexpr double half_space_beyond = 22;
-constexpr double intervals_of_wave_number = 160; // per unit of ln k
+constexpr double intervals_of_wave_number = 160; ///< intervals of the table per unit of ln k
 
 } // namespace
 
 WaveCompliance wave_compliance(const std::vector<ElasticLayer>& layers, double wave_number) {
-  Eigen::Matrix2d below = Eigen::Matrix2d::Zero(); // stiffness of the highest face so far
+  // Stiffness of the top face of the layers assembled so far [Pa/m].
+  Eigen::Matrix2d below = Eigen::Matrix2d::Zero();
   double below_across = 0;
   bool on_base = true;
   for (const ElasticLayer& layer : layers) {
@@ -81,7 +82,7 @@ SurfaceCompliance::SurfaceCompliance(std::vector<ElasticLayer> layers)
 
 WaveCompliance SurfaceCompliance::at(double wave_number) const {
   if (wave_number <= first_) {
-    WaveCompliance long_wave = uniform_; // accurate to (k H)^2
+    WaveCompliance long_wave = uniform_; // relative error (k H)^2, H: thickness
     long_wave.mixed = mixed_slope_ * wave_number;
     return long_wave;
   }

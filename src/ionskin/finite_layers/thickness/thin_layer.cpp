@@ -8,6 +8,7 @@ namespace {
 
 constexpr int degree_of_thin_layer = 8;
 
+/// Element of one layer, scaled from an element that is made once.
 LobattoElement element_of(double thickness) {
   static const LobattoElement of_unit_size(degree_of_thin_layer, 1);
   return of_unit_size.scaled_to(thickness);

@@ -9,7 +9,8 @@
 namespace ionskin::live {
 namespace {
 
-/// SplitMix64 (Steele, Lea and Flood 2014, doi 10.1145/2660193.2660195).
+/// Scrambles the bits of a number, by a step of SplitMix64 (Steele, Lea and Flood 2014,
+/// doi 10.1145/2660193.2660195).
 std::uint64_t mixed(std::uint64_t value) noexcept {
   value += 0x9e3779b97f4a7c15;
   value = (value ^ value >> 30) * 0xbf58476d1ce4e5b9;
@@ -17,12 +18,15 @@ std::uint64_t mixed(std::uint64_t value) noexcept {
   return value ^ value >> 31;
 }
 
-/// In (0, 1).
+/// Uniformly distributed number in (0, 1), made of random bits.
 double uniform(std::uint64_t bits) noexcept {
   return (static_cast<double>(bits >> 11) + 0.5) * 0x1p-53;
 }
 
-/// A number of a standard normal distribution (Box and Muller 1958, doi 10.1214/aoms/1177706645).
+/// Random number of the standard normal distribution (Box and Muller 1958, doi
+/// 10.1214/aoms/1177706645), which depends only on the arguments.
+/// @param seed, step of the noise
+/// @param place index of the signal
 double normal(std::uint64_t seed, std::uint64_t step, std::uint64_t place) noexcept {
   const std::uint64_t key = mixed(mixed(mixed(seed) ^ step) ^ place);
   return std::sqrt(-2 * std::log(uniform(mixed(key)))) *
@@ -78,8 +82,10 @@ bool Skins::set_friction(std::size_t environment, double coefficient) {
   return true;
 }
 
-/// @param refused whether nothing moved: the noise is that of the last step then, as the signals
-/// are
+/// Adds the noise of a step to the currents, and recomputes half their difference and half their
+/// sum.
+/// @param refused true if the step was refused: it repeats the signals of the last step, and so the
+/// noise of the last step
 void Skins::add_noise(std::size_t environment, bool refused, std::span<double> signals) noexcept {
   CurrentNoise& noise = noises_[environment];
   if (noise.deviation == 0 || (refused && noise.steps == 0)) {

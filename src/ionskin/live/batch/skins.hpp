@@ -15,6 +15,7 @@ namespace ionskin::live {
 /// only on the seed and on the number of steps taken with it.
 struct CurrentNoise {
   double deviation = 0; ///< standard deviation on each current [A]
+  /// Seed, and number of steps taken with the noise.
   std::uint64_t seed = 0, steps = 0;
 };
 
@@ -84,13 +85,13 @@ private:
   void add_noise(std::size_t environment, bool refused, std::span<double> signals) noexcept;
 
   const SkinData& data_;
-  std::vector<std::vector<double>> states_;
+  std::vector<std::vector<double>> states_; ///< state of each environment
   std::vector<laws::Friction> frictions_;
   std::vector<CurrentNoise> noises_;
   std::vector<std::size_t> noisy_; ///< indices of the currents that carry noise of their own
   /// Indices of the currents of top and bottom, half their difference and half their sum.
   std::array<std::size_t, 4> sums_{};
-  std::vector<double> rest_;
+  std::vector<double> rest_; ///< state of a skin at rest without contact
   std::vector<Worker> workers_;
 };
 

@@ -34,9 +34,9 @@ public:
   void solve(std::span<float> values) const noexcept;
 
 private:
-  std::vector<float> matrix_; ///< [column][row], both triangles after `factor`
-  std::vector<std::size_t> cells_;
-  std::size_t count_ = 0;
+  std::vector<float> matrix_;      ///< [column][row]; L and U after `factor`
+  std::vector<std::size_t> cells_; ///< cells of the matrix, in the first `count_` elements
+  std::size_t count_ = 0;          ///< number of rows and columns; 0 without factors
 };
 
 } // namespace ionskin::live

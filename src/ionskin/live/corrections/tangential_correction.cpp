@@ -7,13 +7,15 @@
 namespace ionskin::live {
 namespace {
 
-/// A derivative below this is that of a force that stays at its limit.
+/// Smallest principal value of a cell's `by_trial` along which its force is an unknown; below it,
+/// the force stays at its limit [1].
 constexpr double follows = 1e-3;
-constexpr float enough = 1e-6f; // of the square of the first residual
-constexpr int most_iterations = 60;
+/// Squared residual of the conjugate gradients at which they stop, over the first one [1].
+constexpr float enough = 1e-6f;
+constexpr int most_iterations = 60; ///< largest number of iterations of the conjugate gradients
 
 float dot(const std::vector<float>& a, const std::vector<float>& b, std::size_t count) {
-  std::array<float, 8> part{}; // sums that do not wait for each other
+  std::array<float, 8> part{}; // independent sums, which a processor overlaps
   std::size_t i = 0;
   for (; i + part.size() <= count; i += part.size()) {
     for (std::size_t k = 0; k < part.size(); ++k) {
@@ -35,7 +37,7 @@ TangentialCorrection::TangentialCorrection(std::size_t cells)
 void TangentialCorrection::add(std::size_t cell, double own,
                                const std::array<std::array<double, 2>, 2>& by_trial,
                                const std::array<double, 2>& defect) noexcept {
-  // Principal directions of the derivative.
+  // Principal values and directions of `by_trial`.
   const double mean = (by_trial[0][0] + by_trial[1][1]) / 2,
                half = (by_trial[0][0] - by_trial[1][1]) / 2, mixed = by_trial[0][1],
                radius = std::hypot(half, mixed), angle = 0.5 * std::atan2(mixed, half);
@@ -112,6 +114,7 @@ bool TangentialCorrection::factor() noexcept {
   return true;
 }
 
+/// Solves with the Cholesky factors, in place in `change_`.
 void TangentialCorrection::substitute() noexcept {
   for (std::size_t j = 0; j < count_; ++j) {
     const float* column = matrix_.data() + j * count_;

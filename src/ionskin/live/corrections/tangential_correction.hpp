@@ -8,11 +8,12 @@
 
 namespace ionskin::live {
 
-/// Newton step for the tangential forces of the cells in contact, by conjugate gradients. The
-/// unknowns are force components along the directions in which the friction law lets a cell's force
-/// follow its slip; the surfaces move until the slip is what the law allows. Sweeps alone need
-/// hundreds of iterations where a soft slider sticks. Single precision, since the sweeps that
-/// follow remove the remaining residual. Nothing is allocated after construction.
+/// Newton step for the tangential forces of the cells in contact, by conjugate gradients or by
+/// Cholesky factors. The unknowns are force components along the directions in which the friction
+/// law lets a cell's force follow its slip; the solution moves the surfaces until the slip is what
+/// the law allows. Without this step, hundreds of sweeps are needed where a soft slider sticks.
+/// Single precision, since the sweeps that follow remove the remaining residual. Nothing is
+/// allocated after construction.
 class TangentialCorrection {
 public:
   /// Reserves memory for contacts of at most `cells` cells.

@@ -13,9 +13,12 @@
 namespace ionskin::live {
 namespace {
 
-constexpr std::size_t most_named_errors = 4; // in a line
-constexpr double vanishing = 1e-3;           // of the heaviest force at the corner of the cells
+constexpr std::size_t most_named_errors = 4; ///< largest number of errors that the line names
+/// Moment that counts as 0, over the heaviest force times half the diagonal of the contact cells
+/// [1].
+constexpr double vanishing = 1e-3;
 
+/// True for the error of a moment that stays below `least_moment`.
 bool is_no_moment(const SignalError& error, const SkinData& data) {
   return error.name.starts_with("moment_") && error.largest < least_moment(data);
 }

@@ -11,12 +11,12 @@ namespace ionskin::live {
 /// touches, relative to the largest value of the signal within such events [1].
 inline constexpr double promised_error = 0.1;
 
-/// Moment below which a signal counts as 0, since rounding and the contact's residual leave that
-/// much of a moment that symmetry forbids [N m].
+/// Moment below which a moment signal counts as 0 [N m]: where symmetry makes a moment vanish,
+/// rounding and the contact's residual may leave as much.
 double least_moment(const SkinData& data);
 
-/// Removes from the model the errors of moments that stay below `least_moment`, as there is no
-/// signal to compare.
+/// Removes from the model the errors of moments that stay below `least_moment` in all touches,
+/// since an error relative to a signal of 0 says nothing.
 void leave_out_no_moments(SkinData& data);
 
 /// One line that lists the signals and events whose reported errors exceed `promised_error`,

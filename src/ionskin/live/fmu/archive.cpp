@@ -15,9 +15,11 @@
 namespace ionskin::live::fmu {
 namespace {
 
+/// Zip archive that is being written. Throws base::UnwritableFile where writing fails.
 class Archive {
 public:
-  /// @param name of the finished file, for messages
+  /// Creates the archive.
+  /// @param name path of the finished file, for messages
   Archive(const std::filesystem::path& path, std::filesystem::path name)
       : name_(std::move(name)), zip_(zipOpen64(path.c_str(), APPEND_STATUS_CREATE)) {
     require(zip_ != nullptr);
@@ -30,11 +32,13 @@ public:
   Archive(const Archive&) = delete;
   Archive& operator=(const Archive&) = delete;
 
+  /// Adds a file with a fixed date, so that the same skin gives the same bytes.
+  /// @param entry path within the archive
   void add(const std::string& entry, std::string_view bytes) {
     zip_fileinfo info{};
-    constexpr unsigned long first_of_1980 = 0x210000; // day and month of the format count from 1
+    constexpr unsigned long first_of_1980 = 0x210000; // 1 January, the format's earliest date
     info.dosDate = first_of_1980;
-    constexpr unsigned long regular_file = 0100644ul << 16u; // for unzip on Unix
+    constexpr unsigned long regular_file = 0100644ul << 16u; // permissions that unzip sets on Unix
     info.external_fa = regular_file;
     constexpr unsigned long made_on_unix = 3ul << 8u;
     require(zipOpenNewFileInZip4_64(zip_, entry.c_str(), &info, nullptr, 0, nullptr, 0, nullptr,

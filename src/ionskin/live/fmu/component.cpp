@@ -8,7 +8,7 @@ void log(const fmi2CallbackFunctions* callbacks, const char* instance, fmi2Statu
   if (callbacks == nullptr || callbacks->logger == nullptr) {
     return;
   }
-  std::string format; // some importers print it as it is, the others by printf
+  std::string format; // with doubled percent signs, as some importers print it by printf
   for (const char letter : message) {
     format.append(letter == '%' ? 2 : 1, letter);
   }

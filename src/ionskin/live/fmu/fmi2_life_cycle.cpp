@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 
-// Functions of FMI 2.0 that make an instance, step it and tell its status. Nothing but instances,
-// and states that an importer keeps, takes memory; the loop takes none.
+// Functions of FMI 2.0 that make an instance, step it and report its status. Only new instances and
+// states that an importer saves allocate memory; fmi2DoStep allocates none, unless friction
+// changed.
 
 #include "ionskin/live/fmu/component.hpp"
 
@@ -16,11 +17,11 @@ using namespace ionskin::live::fmu;
 
 namespace {
 
-/// The folder behind a URI of a local file.
+/// Path of the folder that a URI of a local file names.
 std::string folder_of(std::string_view uri) {
   constexpr std::string_view scheme = "file:", host = "//localhost/", no_host = "///";
   if (!uri.starts_with(scheme)) {
-    return std::string(uri); // some importers give a bare path
+    return std::string(uri); // some importers pass a path instead of a URI
   }
   uri.remove_prefix(scheme.size());
   if (uri.starts_with(host)) {
@@ -43,8 +44,8 @@ std::string folder_of(std::string_view uri) {
   return path;
 }
 
-/// Name of the instructions for which this library was compiled and which the processor lacks; null
-/// when nothing.
+/// Name of instructions that this library was compiled for and the processor lacks; null if there
+/// are none.
 const char* lacking_instructions() {
 #if defined(__x86_64__) && defined(IONSKIN_VECTOR_LEVEL_V3)
   if (!__builtin_cpu_supports("avx2") || !__builtin_cpu_supports("fma")) {
@@ -72,7 +73,7 @@ const char* fmi2GetVersion(void) {
 }
 
 fmi2Status fmi2SetDebugLogging(fmi2Component component, fmi2Boolean, size_t, const fmi2String[]) {
-  // Only mistakes are logged, and these always.
+  // The setting has no effect: the FMU logs only errors and warnings, and logs them always.
   return component == nullptr ? fmi2Error : fmi2OK;
 }
 
@@ -176,7 +177,7 @@ fmi2Status fmi2DoStep(fmi2Component component, fmi2Real communication_point, fmi
     if (!(step_size > 0)) {
       return fail(known, "fmi2DoStep: the step size must be positive");
     }
-    constexpr double same = 1e-3; // of a step: importers add up their times in several ways
+    constexpr double same = 1e-3; // over a step: importers add up times with different rounding
     if (!(std::abs(communication_point - instance.time()) <= same * step_size)) {
       return fail(known, "fmi2DoStep: the communication point is not where the last step ended");
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 
-// Functions of FMI 2.0 that keep states and take them up again.
+// Functions of FMI 2.0 that save, restore and serialise states.
 
 #include "ionskin/live/fmu/component.hpp"
 
@@ -42,7 +42,7 @@ fmi2Status fmi2SetFMUstate(fmi2Component component, fmi2FMUstate state) {
 
 fmi2Status fmi2FreeFMUstate(fmi2Component component, fmi2FMUstate* state) {
   return with(component, [&](Component&, Instance&) {
-    if (state != nullptr) { // the standard lets null pass
+    if (state != nullptr) { // the standard allows null
       delete static_cast<State*>(*state);
       *state = nullptr;
     }
@@ -50,7 +50,7 @@ fmi2Status fmi2FreeFMUstate(fmi2Component component, fmi2FMUstate* state) {
   });
 }
 
-// Serialised: the GUID, then the numbers.
+// A serialised state is the GUID, followed by the numbers of the state as doubles.
 
 fmi2Status fmi2SerializedFMUstateSize(fmi2Component component, fmi2FMUstate state, size_t* size) {
   return with(component, [&](Component& known, Instance& instance) {

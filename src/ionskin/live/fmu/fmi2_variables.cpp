@@ -8,10 +8,12 @@ using namespace ionskin::live::fmu;
 
 namespace {
 
+/// True in the modes in which FMI 2.0 lets outputs be read.
 bool outputs_known(const Instance& instance) {
   return instance.mode() != Instance::Mode::instantiated;
 }
 
+/// True in the modes in which inputs can be set.
 bool may_set(const Instance& instance) {
   return instance.mode() != Instance::Mode::terminated;
 }

@@ -9,7 +9,7 @@
 namespace ionskin::live::fmu {
 namespace {
 
-/// Numbers of a state before the inputs.
+/// Indices of the single numbers at the beginning of a state; the inputs follow at `singles`.
 enum : std::size_t { place_of_mode, place_of_time, place_of_control, place_of_flags, singles };
 
 } // namespace
@@ -42,7 +42,7 @@ bool Instance::trained(double friction) const {
 bool Instance::limit_friction() {
   double& friction = inputs_[reference::friction];
   if (!std::isfinite(friction) || trained(friction)) {
-    return false; // a step refuses what is not finite
+    return false; // a step refuses a value that is not finite
   }
   friction = std::clamp(friction, data_.lowest_friction, data_.highest_friction);
   return true;

@@ -28,7 +28,8 @@ public:
   Instance& operator=(const Instance&) = delete;
 
   Mode mode() const { return mode_; }
-  double time() const { return time_; } ///< time of the last step, or start time [s]
+  /// Time at the end of the last step, or start time [s].
+  double time() const { return time_; }
   /// Identifier of the skin (`fmu::guid`).
   const std::string& guid() const { return guid_; }
   /// Line on errors above the promised one (`live::shortfall`); empty if there is none.
@@ -63,8 +64,8 @@ public:
   bool limit_friction();
   /// Bits of `live::flag` of the last step.
   std::uint32_t flags();
-  /// Parameter `force_control`, to be read or written: true if the input `force` acts, false if
-  /// `height` does.
+  /// Parameter `force_control`, to be read or written: true if the input `force` presses the
+  /// slider, false if the input `height` holds it.
   bool& force_control();
 
   /// Number of values of a state.
@@ -79,6 +80,7 @@ public:
 private:
   /// True if a coefficient of friction is within the trained range.
   bool trained(double friction) const;
+  /// Input variable, as `input` returns it, without noting a change.
   double* find_input(std::size_t reference);
   /// Steps the skin with the present inputs, and returns its flags. Allocates memory when the
   /// coefficient of friction differs from that of the last step.
@@ -98,7 +100,7 @@ private:
   std::vector<std::size_t> trained_angles_;
   Skin::Angles angles_{};
   bool force_control_ = false;
-  bool followed_ = false;
+  bool followed_ = false; ///< false after an input changed, until `follow_inputs`
   std::uint32_t flags_ = 0;
 };
 

@@ -46,7 +46,7 @@ std::string escaped(const std::string& text) {
   return result;
 }
 
-/// Causality, variability and, where the value has one, how it begins.
+/// XML attributes of a variable: causality, variability and, except for inputs, `initial`.
 std::string_view role(const Variable& variable) {
   switch (variable.causality) {
   case Causality::input:
@@ -60,6 +60,7 @@ std::string_view role(const Variable& variable) {
   }
 }
 
+/// XML element of a variable's type, with unit and start value where it has them.
 std::string value(const Variable& variable) {
   const bool starts = variable.causality != Causality::output;
   switch (variable.kind) {

@@ -11,8 +11,10 @@
 namespace ionskin::live::fmu {
 namespace {
 
-constexpr double above = 1e-3; // the skin, where nothing touches [m]
+/// Start value of the input `height`: well above the skin, so that nothing touches [m].
+constexpr double above = 1e-3;
 
+/// Unit of a signal, as the model description names it; empty for dimensionless.
 std::string unit_of(const std::string& name) {
   if (name.starts_with("charge_")) {
     return "C";

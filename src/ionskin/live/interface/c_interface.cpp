@@ -164,7 +164,7 @@ void ionskin_live_size(const ionskin_live_skin* skin, double size[2]) {
 
 void ionskin_live_footprint(const ionskin_live_skin* skin, double box[4]) {
   const ionskin::live::SkinData& data = *skin->data;
-  const bool half = data.meshed_share < 1; // whose lines along y begin at the plane of symmetry
+  const bool half = data.meshed_share < 1; // cells on one side of the plane of symmetry
   const double lines_y[2]{data.cell_lines_y.front(), data.cell_lines_y.back()};
   const double far = std::max(std::abs(lines_y[0]), std::abs(lines_y[1]));
   const double values[4]{data.cell_lines_x.front(), half ? -far : lines_y[0],

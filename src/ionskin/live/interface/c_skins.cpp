@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <exception>
 
+/// Skins behind a handle of the C interface, with the shared data of the file.
 struct ionskin_live_skins {
   std::shared_ptr<const ionskin::live::SkinData> data;
   ionskin::live::Skins skins;
@@ -12,6 +13,7 @@ struct ionskin_live_skins {
 
 namespace {
 
+/// Steps as `ionskin_live_skins_step_posed` does, for floats or doubles.
 template <class Value>
 void step(ionskin_live_skins* skins, size_t worker, size_t first, size_t last,
           const ionskin_live_batch& batch, const void* angles, double* stiffness) {

@@ -6,8 +6,9 @@
 namespace ionskin::live {
 namespace {
 
-constexpr std::size_t width = 8;
-// A local array of floats stays in memory, where sums of vectors stay in registers.
+constexpr std::size_t width = 8; ///< number of floats in a vector
+// Vector type of the compiler: sums of this type stay in registers, while the compiler puts a local
+// array of floats into memory.
 typedef float Eight __attribute__((vector_size(width * sizeof(float))));
 
 Eight eight_from(const float* values) noexcept {
@@ -18,6 +19,7 @@ Eight eight_from(const float* values) noexcept {
 
 } // namespace
 
+/// Multiplies as `times` does, for a number of lanes that is known at compile time.
 template <std::size_t lanes>
 void LaneProduct::sum_up(std::span<const std::uint32_t> columns, const float* factors,
                          float* results) const noexcept {
@@ -38,7 +40,7 @@ void LaneProduct::sum_up(std::span<const std::uint32_t> columns, const float* fa
         ++factor;
       }
     }
-    // One by one: a copy of the whole array would keep the sums in memory.
+    // The vectors are copied one by one: a copy of the whole array would put the sums into memory.
     for (std::size_t lane = 0; lane < lanes; ++lane) {
       for (std::size_t i = 0; i < vectors; ++i) {
         const Eight sum = sums[lane][i];

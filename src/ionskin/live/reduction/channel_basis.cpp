@@ -18,27 +18,34 @@ namespace {
 using Matrix = Eigen::MatrixXd;
 using Eigen::Index;
 
-constexpr double negligible_modes = 3e-4; // of the samples, over their norm
+/// Norm of the part of the samples that the modes may leave out, over the norm of the samples [1].
+constexpr double negligible_modes = 3e-4;
 constexpr std::size_t most_modes = 160;
-/// Weight of the integral over the core beside the field.
+/// Weight of the integral over the core relative to the field, in the norm of the measure [1].
 constexpr double integral_weight = 10;
+/// Share of the samples that the fit does not use, for measuring its error [1].
 constexpr double unseen_share = 0.2;
 constexpr std::size_t most_candidates = 6000;
+/// Numbers of points of a basis, mirror images included: at first, added at a time, and at most.
 constexpr std::size_t fewest_points = 120, more_points = 80, most_points = 600;
-constexpr double good = 5e-3; // error in unseen samples, of their norm
-/// Ridge of a point in what one place has beside the middle, which is smooth.
+/// Error in unseen samples, over their norm, at which no more points are added [1].
+constexpr double good = 5e-3;
+/// Ridge of the correction in `fit_at_place`, over the squared norm of the values at a point [1].
+/// It may be large, since the fit at a position differs smoothly from the fit at the middle.
 constexpr double departure = 1e-2;
-constexpr double ridge = 1e-6; // of the square of a point
+/// Ridge of the other fits, over the squared norm of the values at a point, or of a mode [1].
+constexpr double ridge = 1e-6;
 
-/// Parts that samples and their reflections have of one parity.
+/// Components of one parity (`Reflections`) of the samples and their mirror images.
 struct Parity {
-  Matrix amplitude;       ///< [mode][sample]
-  Matrix combine;         ///< [sample that is fitted][mode]: of the fields of the parity
-  Eigen::VectorXd energy; ///< of the modes
-  Eigen::MatrixXf values; ///< [orbit of candidates][sample]
+  Matrix amplitude; ///< amplitudes of the modes in the samples [mode][sample]
+  Matrix combine;   ///< weights of the samples' fields that make each mode [fitted sample][mode]
+  Eigen::VectorXd energy; ///< sum over the fitted samples of the squared amplitude of each mode
+  Eigen::MatrixXf values; ///< values of the channel at the candidate points [candidate][sample]
 };
 
-/// Points that count most, one of each orbit.
+/// Candidate points, one of each set of mirror images: those with the largest weighted values over
+/// the samples, in descending order.
 std::vector<std::size_t> candidates_of(const ChannelSamples& samples, const ChannelMeasure& measure,
                                        const Reflections& reflections) {
   const Eigen::VectorXf strength = samples.at_points.rowwise().norm();
@@ -63,7 +70,12 @@ std::vector<std::size_t> candidates_of(const ChannelSamples& samples, const Chan
   return result;
 }
 
-/// The candidates in the order in which each leaves the least of all others unexplained.
+/// Orders candidate points by pivoted Gram-Schmidt orthogonalisation of their values over the
+/// samples: next comes the candidate of which the largest part is not yet spanned by the earlier
+/// ones.
+/// @param weights weight of each candidate
+/// @param count largest number of candidates to return
+/// @returns indices of candidates
 std::vector<std::size_t> best_first(const std::vector<Parity>& parities,
                                     const Eigen::VectorXf& weights, std::size_t count) {
   std::vector<Eigen::MatrixXf> left;
@@ -93,7 +105,11 @@ std::vector<std::size_t> best_first(const std::vector<Parity>& parities,
   return order;
 }
 
-/// Weights of the first points of an order for the modes of a parity.
+/// Ridge regression of the mode amplitudes of a parity on the channel's values at points.
+/// @param order indices of candidates
+/// @param count number of points to use, from the first of `order`
+/// @param samples number of samples to fit, from the first
+/// @returns weights [mode][point]
 Matrix regression(const Parity& parity, const std::vector<std::size_t>& order, std::size_t count,
                   Index samples) {
   Matrix values(static_cast<Index>(count), samples);
@@ -109,6 +125,8 @@ Matrix regression(const Parity& parity, const std::vector<std::size_t>& order, s
          scale.asDiagonal();
 }
 
+/// Error of the regressions of all parities in the samples after the first `fitted`, over the norm
+/// of their amplitudes [1].
 double unseen_error(const std::vector<Parity>& parities, const std::vector<std::size_t>& order,
                     std::size_t count, Index fitted) {
   double error = 0, norm = 0;
@@ -133,7 +151,7 @@ Eigen::MatrixXf of_parity(const Eigen::MatrixXf& values, const std::array<std::s
                           const Reflections& reflections, std::size_t parity) {
   const double share = 1 / std::sqrt(static_cast<double>(reflections.count()));
   Eigen::MatrixXf result(values.rows(), values.cols());
-  Eigen::RowVectorXd sum(values.cols()); // exact, whatever the order of the images
+  Eigen::RowVectorXd sum(values.cols()); // double precision: the order of the images has no effect
   for (Index i = 0; i < values.rows(); ++i) {
     sum.setZero();
     for (std::size_t g = 0; g < reflections.count(); ++g) {
@@ -172,7 +190,7 @@ ChannelBasis channel_basis(const ChannelSamples& samples, const ChannelMeasure& 
                   1, count - static_cast<Index>(unseen_share * static_cast<double>(count)));
   const std::vector<std::size_t> candidates = candidates_of(samples, measure, reflections);
   std::vector<Parity> parities(reflections.count());
-  std::vector<std::pair<double, std::array<std::size_t, 2>>> energies; // with parity and mode
+  std::vector<std::pair<double, std::array<std::size_t, 2>>> energies; // of {parity, mode}
   double whole = 0;
   for (std::size_t p = 0; p < parities.size(); ++p) {
     base::check_interrupt();
@@ -198,7 +216,7 @@ ChannelBasis channel_basis(const ChannelSamples& samples, const ChannelMeasure& 
   }
   std::ranges::stable_sort(energies, std::ranges::greater{},
                            [](const auto& mode) { return mode.first; });
-  std::vector<Index> modes(parities.size(), 0); // the first ones of each parity
+  std::vector<Index> modes(parities.size(), 0); // number of modes taken from each parity
   double left = whole;
   for (const auto& [energy, at] : energies) {
     if (left <= std::pow(negligible_modes, 2) * whole ||

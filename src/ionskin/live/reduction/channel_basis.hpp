@@ -58,10 +58,10 @@ Eigen::MatrixXf of_parity(const Eigen::MatrixXf& values, const std::array<std::s
 
 /// Makes a basis of modes by proper orthogonal decomposition of the fields in the norm of the
 /// measure, together with their integrals over the core, since charges are such integrals. Then
-/// chooses points one after the other, each so that the values at the points span those at all
-/// other points best, until the error in unseen samples is small; then fits the modes to the values
-/// at the points by linear regression. There are many samples, so that no mode is fixed by a few
-/// points alone.
+/// chooses points one after the other, each time the point whose values over the samples are
+/// spanned worst by those at the points chosen before, until the error in unseen samples is small;
+/// then fits the amplitudes of the modes to the values at the points by linear regression. Needs
+/// many samples, so that no mode depends on a few points only.
 ChannelBasis channel_basis(const ChannelSamples& samples, const ChannelMeasure& measure,
                            const Reflections& reflections);
 

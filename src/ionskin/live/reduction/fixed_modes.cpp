@@ -16,14 +16,22 @@ namespace {
 using Matrix = Eigen::MatrixXd;
 using Eigen::Index;
 
-constexpr double zone_thicknesses = 3;    // over which what a free end does fades
-constexpr double first_cell = 0.5;        // at the ends, over the thickness
-constexpr double cell_growth = 1.5;       // away from them
-constexpr double longest_cell = 1.0 / 16; // of the skin
-constexpr double negligible_left = 1e-4;  // of the whole fields
+/// Largest width of an end zone, over the skin's thickness: the effect of a free end fades within
+/// it [1].
+constexpr double zone_thicknesses = 3;
+constexpr double first_cell = 0.5;        ///< length of the end cells over the skin's thickness [1]
+constexpr double cell_growth = 1.5;       ///< ratio of the lengths of successive cells [1]
+constexpr double longest_cell = 1.0 / 16; ///< longest cell over the extent of the skin [1]
+/// Norm of a mode that is left out, over the norm of the complete fields [1].
+constexpr double negligible_left = 1e-4;
+/// Largest number of modes, and about the largest number of samples from which they are made.
 constexpr Index most_fixed_modes = 24, most_columns = 1000;
+/// Ridge of the least-squares fits, over the mean of the diagonal of their normal equations [1].
 constexpr double fit_ridge = 1e-6;
 
+/// Edges of cells between the two ends of the skin, which grow from both ends to the middle [m].
+/// @param extent length or width of the skin [m]
+/// @param thickness of the skin [m]
 std::vector<double> cells_from_ends(double extent, double thickness) {
   std::vector<double> edges{0};
   // The cell in the middle is wider than its neighbours.
@@ -37,6 +45,7 @@ std::vector<double> cells_from_ends(double extent, double thickness) {
   return edges;
 }
 
+/// Edges shifted by a distance [m].
 std::vector<double> moved(std::vector<double> edges, double by) {
   for (double& edge : edges) {
     edge += by;

@@ -16,8 +16,9 @@
 namespace ionskin::live {
 namespace {
 
-/// Rows whose norm, or whose one value, is a shear measure: of one linear in the strain its
-/// own coefficients, else those of the quadratic form that its square must be. Throws UserError for
+/// Combinations of strain components whose norm, or only value, is a shear measure. A measure that
+/// is linear in the strain gives its own coefficients; otherwise its square must be a quadratic
+/// form, whose eigenvectors times the roots of their eigenvalues are the rows. Throws UserError for
 /// a measure that is neither.
 MeasureRows rows_of(const laws::ShearMeasure& measure) {
   constexpr std::size_t components = 6;
@@ -57,7 +58,7 @@ MeasureRows rows_of(const laws::ShearMeasure& measure) {
       }
     }
     if (rows.size() == 1) {
-      rows.emplace_back(); // a single row has a sign, a norm of two has none
+      rows.emplace_back(); // a row of zeros: a single row would keep its sign, a norm has none
     }
   }
   if (!(std::abs(value_of(rows, probe) - expected) <= 1e-9 * std::abs(expected))) {
@@ -83,7 +84,7 @@ double value_of(const MeasureRows& rows, const std::array<double, 6>& strain) {
 std::array<double, 6> strain_at(const mechanics::CoreStrain& strain, std::size_t point) {
   std::array<double, 6> at{};
   for (std::size_t c = 0; c < at.size(); ++c) {
-    at[c] = strain.component[c].empty() ? 0.0 : strain.component[c][point]; // no channel reads it
+    at[c] = strain.component[c].empty() ? 0.0 : strain.component[c][point]; // empty: not computed
   }
   return at;
 }

@@ -8,9 +8,13 @@
 namespace ionskin::live {
 namespace {
 
-constexpr double narrow = 1e-5; // of the skin: there the compliance hardly changes
+/// Range of positions, over the length or width of the skin, for which one node is enough, as the
+/// compliance hardly changes within it [1].
+constexpr double narrow = 1e-5;
+/// Numbers of nodes along the only direction of motion, and along each of two.
 constexpr std::size_t along_a_line = 7, along_a_side = 5;
 
+/// Chebyshev points of an interval, ends included, ascending; its middle if `count` is 1.
 std::vector<double> chebyshev_points(double low, double high, std::size_t count) {
   if (count == 1) {
     return {0.5 * (low + high)};

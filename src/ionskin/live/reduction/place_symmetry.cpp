@@ -10,8 +10,10 @@
 namespace ionskin::live {
 namespace {
 
-constexpr double symmetric = 1e-9; // of a length, over the largest
+/// Difference of mirror images that counts as 0, over the largest length [1].
+constexpr double symmetric = 1e-9;
 
+/// Coordinates measured from a middle [m].
 std::vector<double> about(double middle, std::vector<double> lines) {
   for (double& line : lines) {
     line -= middle;
@@ -19,7 +21,7 @@ std::vector<double> about(double middle, std::vector<double> lines) {
   return lines;
 }
 
-/// True if values on the lines of a grid of cells are the same seen from its other end.
+/// True if the lines of a grid are symmetric about 0.
 bool is_mirrored(const std::vector<double>& lines) {
   const double most = std::max(std::abs(lines.front()), std::abs(lines.back()));
   for (std::size_t i = 0; i < lines.size(); ++i) {

@@ -27,10 +27,11 @@ void add_unit_strains(const mechanics::SkinModel& model, const SkinData& data,
     if (!at_nodes[node].empty()) {
       continue;
     }
-    std::vector<std::size_t> images; // of the node, that of no reflection first
+    std::vector<std::size_t> images; // mirror images of the node, which comes first itself
     for (std::size_t g = 0; g < reflections.count(); ++g) {
       images.push_back(reflections.image(g, node, nodes));
     }
+    // True if the node's image by element g is to be stored, and no earlier element gives it.
     const auto is_new = [&](std::size_t g) {
       return g == 0 || (mirror_places &&
                         std::find(images.begin(), images.begin() + static_cast<std::ptrdiff_t>(g),

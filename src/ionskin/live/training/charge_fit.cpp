@@ -14,20 +14,26 @@
 namespace ionskin::live {
 namespace {
 
-constexpr double regularisation = 1e-10;  // of a column's square
-constexpr double fitted_share = 2.0 / 3;  // of the rows; the rest says how many rates are enough
-constexpr double negligible_error = 1e-4; // of the charges
-constexpr double worthwhile = 0.9;        // error with another rate over that without
+constexpr double regularisation = 1e-10; ///< ridge of the fit, over the square of a column [1]
+/// Share of the rows that is fitted; the other rows measure the error and show how many rates are
+/// enough [1].
+constexpr double fitted_share = 2.0 / 3;
+/// Error, over the norm of the charges, at which no more rates are added [1].
+constexpr double negligible_error = 1e-4;
+/// Largest ratio of the error with another rate to the error without it, for adding the rate [1].
+constexpr double worthwhile = 0.9;
 
-/// Normal equations of half the sum and half the difference of both charges by the drive, by it
-/// behind every low pass, and by what spreads.
+/// Normal equations of the least-squares fit of half the sum and half the difference of the charges
+/// of both electrodes. The columns are the inputs, the inputs behind the low pass of each rate, and
+/// the waves of spreading charge by z level.
 struct Normal {
-  Eigen::MatrixXd gram, right; ///< [(1 + rates) inputs + spread][same], [same][2]
-  double square = 0;           ///< of all charges
-  std::size_t spread = 0;      ///< columns of what spreads
+  Eigen::MatrixXd gram, right; ///< [(1 + rates) inputs + spread][same], [same][sum, difference]
+  double square = 0;           ///< weighted sum of the squares of what is fitted [C2 s]
+  std::size_t spread = 0;      ///< number of columns of the spreading charge
 };
 
-/// Normal equations of the rows between two parts of each record.
+/// Sets up the normal equations for a part of the rows of each record.
+/// @param from, to begin and end of the part, over the number of rows [1]
 Normal normal_equations(const std::vector<ChargeRecord>& records, std::size_t inputs,
                         const std::vector<double>& rates, double from = 0, double to = 1) {
   const std::size_t spread = records.front().spread.size() / records.front().time.size();
@@ -54,7 +60,8 @@ Normal normal_equations(const std::vector<ChargeRecord>& records, std::size_t in
       }
       const Eigen::RowVector2d charge((record.charge[0][i] + record.charge[1][i]) / 2,
                                       (record.charge[0][i] - record.charge[1][i]) / 2);
-      // A row for itself counts too, or short contacts would not.
+      // The constant gives every row a weight [s]; otherwise short time steps, as in short
+      // contacts, would not count.
       const double weight = step + 1e-3;
       normal.gram.selfadjointView<Eigen::Lower>().rankUpdate(row, weight);
       normal.right += weight * row * charge;
@@ -65,12 +72,14 @@ Normal normal_equations(const std::vector<ChargeRecord>& records, std::size_t in
   return normal;
 }
 
+/// Result of a fit.
 struct Fit {
-  std::vector<Eigen::Index> columns; ///< columns that were chosen
-  Eigen::MatrixXd weights;           ///< [columns][sum, difference]
+  std::vector<Eigen::Index> columns; ///< indices of the fitted columns of `Normal`
+  Eigen::MatrixXd weights;           ///< weights of these columns [column][sum, difference]
 };
 
-/// Columns of the instantaneous part and of some of the rates.
+/// Indices of the columns of the instantaneous part and of some of the rates.
+/// @param rates indices of the rates
 std::vector<Eigen::Index> columns_of(std::size_t inputs, const std::vector<std::size_t>& rates) {
   std::vector<Eigen::Index> columns;
   for (std::size_t i = 0; i < inputs * (1 + rates.size()); ++i) {
@@ -80,6 +89,7 @@ std::vector<Eigen::Index> columns_of(std::size_t inputs, const std::vector<std::
   return columns;
 }
 
+/// Weights that fit some of the columns best [column][sum, difference].
 Eigen::MatrixXd solve_with(const Normal& normal, const std::vector<Eigen::Index>& columns) {
   Eigen::MatrixXd gram = normal.gram(columns, columns);
   const double floor =
@@ -91,7 +101,7 @@ Eigen::MatrixXd solve_with(const Normal& normal, const std::vector<Eigen::Index>
          gram.ldlt().solve(scale.asDiagonal() * normal.right(columns, Eigen::indexing::all));
 }
 
-/// Square of what weights of some columns leave.
+/// Weighted sum of the squared residuals of a fit [C2 s].
 double left_of(const Normal& normal, const std::vector<Eigen::Index>& columns,
                const Eigen::MatrixXd& weights) {
   const Eigen::MatrixXd gram = normal.gram(columns, columns);
@@ -100,7 +110,9 @@ double left_of(const Normal& normal, const std::vector<Eigen::Index>& columns,
          weights.cwiseProduct(gram * weights).sum();
 }
 
-/// Fit in which what spreads is the same on both sides: a part of their sum alone.
+/// Fits the columns of some rates, and the spreading charge. As spreading charge is equal on top
+/// and bottom, it is part of half the sum only.
+/// @param rates indices of the rates
 Fit fit_with(const Normal& normal, std::size_t inputs, const std::vector<std::size_t>& rates) {
   Fit fit{columns_of(inputs, rates), {}};
   fit.weights = solve_with(normal, fit.columns);

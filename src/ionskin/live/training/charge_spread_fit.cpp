@@ -21,13 +21,17 @@ namespace {
 
 using Matrix = Eigen::MatrixXd;
 
-constexpr double worthwhile_spread = 0.9; // error with what spreads over that without
-/// Error without it, over the largest charge, that is worth the time of its steps.
+/// Largest ratio of the fit's error with spreading charge to the error without it, for using it
+/// [1].
+constexpr double worthwhile_spread = 0.9;
+/// Rms error of the fit without spreading charge, over the largest charge, up to which the
+/// computing time of the waves is not worthwhile [1].
 constexpr double needs_spread = 1e-2;
-constexpr double negligible_waves = 1e-3; // of the charges
+/// Contribution of the waves that are left out, over the charges [1].
+constexpr double negligible_waves = 1e-3;
 constexpr std::size_t most_kept_waves = 400;
 
-/// [wave][column]
+/// Values of all waves (`column_wave`) in all columns along one direction [wave][column] [1].
 Matrix column_waves(std::size_t columns) {
   Matrix waves(columns, columns);
   for (std::size_t wave = 0; wave < columns; ++wave) {
@@ -39,7 +43,8 @@ Matrix column_waves(std::size_t columns) {
   return waves;
 }
 
-/// D/lambda of small changes, docs/model.md (15), (34) [m/s].
+/// Speed D/lambda in the relaxation rates of docs/model.md (34), for small changes of the
+/// concentration, which ions of finite size (15) increase [m/s].
 double layer_speed(const Case& input) {
   const auto scales =
       electrochemistry::derive_scales(input.electrochemistry, input.skin.core_thickness());
@@ -48,7 +53,7 @@ double layer_speed(const Case& input) {
          std::sqrt(1 - (excess ? excess->filling : 0));
 }
 
-/// The waves of a run, row after row, each behind its low pass.
+/// Computes the states of the waves of spreading charge along a full run, in the order of time.
 class Waves {
 public:
   Waves(const FullRun& run, const SpreadMap& map)
@@ -75,9 +80,10 @@ public:
     }
   }
 
-  /// Goes through the rows. `take` gets the row, and of the driving channel what has relaxed
-  /// [combination][wave of y][wave of x].
-  /// @param combine [combination][level]
+  /// Steps the waves through the rows of the run.
+  /// @param combine weighted sums of the z levels that drive the waves [combination][level]
+  /// @param take called with the index of each row and the states of the waves, driven by each
+  /// combination [combination][wave of y][wave of x] [m2 times unit of the weights]
   template <class Take> void each_row(const Matrix& combine, const Take& take) {
     const double area =
         run_.input.skin.length * run_.input.skin.width / static_cast<double>(x_.rows() * y_.rows());
@@ -116,10 +122,12 @@ public:
       take(row, relaxed);
     }
   }
+  /// Sum over a taxel of waves in these states [unit of the states].
   double in_taxel(std::size_t taxel, const Matrix& relaxed) const {
     return taxel_y_[taxel].dot(relaxed * taxel_x_[taxel]);
   }
-  /// Square of the share of each wave in the taxels, over all of them.
+  /// Squared sum of each wave over the columns of a taxel, added up over all taxels [wave of
+  /// y][wave of x] [1].
   Matrix shares() const {
     Matrix sum = Matrix::Zero(y_.rows(), x_.rows());
     for (std::size_t taxel = 0; taxel < taxel_x_.size(); ++taxel) {
@@ -132,15 +140,17 @@ public:
 private:
   const FullRun& run_;
   Matrix x_, y_; ///< [wave][column]
+  /// Rate of each wave [1/s], and 1 for waves of the map, 0 for other waves [wave of y][wave of x].
   Matrix rate_, taken_;
   history::StrainProjection projection_;
   std::size_t levels_;
-  std::vector<Eigen::VectorXd> taxel_x_, taxel_y_; ///< shares of the waves
+  /// Sum of each wave along x and along y over the columns of a taxel [taxel][wave] [1].
+  std::vector<Eigen::VectorXd> taxel_x_, taxel_y_;
 };
 
-/// Magnitude of all charges of the taxels.
+/// Magnitude of the charges of all taxels, on top and bottom.
 struct Magnitude {
-  double square = 0, time = 0, largest = 0; ///< over the time [C2 s], [s], [C]
+  double square = 0, time = 0, largest = 0; ///< integral over time [C2 s], time [s], charge [C]
   double rms() const { return time > 0 ? std::sqrt(square / time) : 0; }
 };
 
@@ -159,7 +169,10 @@ Magnitude magnitude_of(const std::vector<ChargeRecord>& records) {
   return all;
 }
 
-/// The fewest waves without which the others bring no more than a part of the charges.
+/// Chooses the fewest waves such that the other waves contribute no more than `negligible_waves` of
+/// the charges, strongest first.
+/// @param energy time integral of the squared charge that each wave brings [wave] [C2 s]
+/// @param square time integral of the squared charges [C2 s]
 SpreadMap strongest(const SpreadMap& all, const std::vector<double>& energy, double square) {
   std::vector<std::size_t> order(energy.size());
   std::iota(order.begin(), order.end(), 0);
@@ -204,7 +217,7 @@ SpreadMap all_waves(const FullRun& run) {
     for (std::size_t i = 0; i < map.columns_x; ++i) {
       const double alpha = std::hypot(number(run.input.skin.length, map.columns_x, i),
                                       number(run.input.skin.width, map.columns_y, j));
-      if (alpha > 0) { // the mean stays
+      if (alpha > 0) { // without the mean, which does not relax
         map.wave_x.push_back(i);
         map.wave_y.push_back(j);
         map.rates.push_back(speed * alpha * std::tanh(alpha * half));

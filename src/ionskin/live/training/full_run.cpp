@@ -17,7 +17,10 @@
 namespace ionskin::live {
 namespace {
 
-/// Ascending, each once, with both ends of the core.
+/// Coordinates along one axis at which a taxel or the core begins or ends, ascending, each once
+/// [m].
+/// @param axis 0: x, 1: y
+/// @param extent length or width of the core [m]
 std::vector<double> region_lines(const std::vector<Taxel>& taxels, std::size_t axis,
                                  double extent) {
   std::vector<double> lines{0, extent};
@@ -36,6 +39,7 @@ std::vector<double> region_lines(const std::vector<Taxel>& taxels, std::size_t a
   return apart;
 }
 
+/// True if the coupling law depends on the mean over the core.
 bool knows_the_mean(const Case& input) {
   return input.coupling.law == "volume-neutral";
 }

@@ -14,30 +14,41 @@
 namespace ionskin::live {
 namespace {
 
-constexpr double clearance = 1e-4;         // between touches [m]
-constexpr int rows_behind_corner = 50;     // the longest onset of sliding lasts about as long [ms]
-constexpr double milliseconds = 1e3;       // in a second
-constexpr double least_load = 0.15;        // over the heaviest
-constexpr double least_speed = 0.1;        // over the fastest
-constexpr double slowest_landing = 0.1;    // [s]
-constexpr double pause = 0.2;              // between touches [s]
-constexpr double usual_speed = 3e-3;       // of a case whose slider never slides [m/s]
-constexpr double rest_share = 0.25;        // of the pieces
-constexpr double turning_back_share = 0.3; // of the strokes behind another
-constexpr double shortest_rest = 0.1, longest_rest = 0.5; // [s]
-constexpr double shortest_reversal = 0.2; // of the way back to where the stroke before began
-constexpr double posing_share = 0.5, in_place_share = 0.3; // of the strokes that tilt, or turn
-constexpr double tilting = 0.1;                            // to a side [s]
+constexpr double clearance = 1e-4; ///< height of the slider above the skin between touches [m]
+/// Number of rows after a corner of the path, a millisecond apart: about the duration of the
+/// longest onset of sliding.
+constexpr int rows_behind_corner = 50;
+constexpr double milliseconds = 1e3;    ///< milliseconds in a second
+constexpr double least_load = 0.15;     ///< smallest load of a touch over the heaviest one [1]
+constexpr double least_speed = 0.1;     ///< smallest speed of a stroke over the fastest one [1]
+constexpr double slowest_landing = 0.1; ///< longest duration of a landing or a lift-off [s]
+constexpr double pause = 0.2;           ///< duration between touches [s]
+constexpr double usual_speed = 3e-3;    ///< speed for a case whose slider never slides [m/s]
+constexpr double rest_share = 0.25;     ///< probability of a rest where a touch may have either [1]
+/// Probability that a stroke after another stroke goes back along it [1].
+constexpr double turning_back_share = 0.3;
+constexpr double shortest_rest = 0.1, longest_rest = 0.5; ///< durations of a rest [s]
+/// Shortest way back along the stroke before, over its length [1].
+constexpr double shortest_reversal = 0.2;
+/// Probability that a stroke changes the tilt, and that it changes the yaw; and probability that a
+/// stroke stays in place where poses are trained and the touch has another stroke [1].
+constexpr double posing_share = 0.5, in_place_share = 0.3;
+constexpr double tilting = 0.1; ///< duration of a tilt to a side in the first touch [s]
+/// Numbers of pieces (strokes and rests) of a touch.
 constexpr int fewest_pieces = 2, most_pieces = 4;
 
+/// Motion of the slider, built one waypoint after the other.
 class Path {
 public:
   explicit Path(const TouchRange& range) : range_(range) {}
 
+  /// Adds a waypoint above the skin, some time after the last one [s].
   void detached(double wait, const std::array<double, 2>& place) {
     add(wait, place);
     motion.waypoints.back().height = clearance;
   }
+  /// Adds a waypoint in contact, some time after the last one [s].
+  /// @param load force [N] or indentation [m], as the range says
   void pressed(double wait, const std::array<double, 2>& place, double load) {
     add(wait, place);
     if (range_.is_force) {
@@ -47,10 +58,11 @@ public:
     }
   }
   Motion motion;
-  shapes::Pose pose; ///< of what is added from now on
+  shapes::Pose pose; ///< pose of the waypoints that are added from now on
 
 private:
-  /// Whole milliseconds: a corner between two steps of a loop would be another path for the loop.
+  /// Adds a waypoint at a whole millisecond, where a loop steps: it would cut off a corner between
+  /// two of its steps.
   void add(double wait, const std::array<double, 2>& place) {
     time_ += motion.waypoints.empty() ? 0 : std::ceil(milliseconds * wait);
     motion.waypoints.push_back({time_ / milliseconds, place, {}, {}, 0});
@@ -77,7 +89,7 @@ TouchRange touch_range(const Case& input) {
   for (const MotionLeg& leg : motion_legs(input.motion, input.slider)) {
     for (const SliderLevel& level : {leg.from_level, leg.to_level}) {
       if (level.touches() && level.is_force != range.is_force) {
-        range.is_force = level.is_force; // where both occur the force says more
+        range.is_force = level.is_force; // a force takes precedence over a height
         range.heaviest = 0;
       }
       if (level.touches() && level.is_force == range.is_force) {
@@ -166,7 +178,8 @@ Motion random_touches(const TouchRange& range, std::size_t count, std::uint64_t 
     path.pose.roll = share * std::cos(towards);
     path.pose.pitch = share * std::sin(towards);
   };
-  // A stroke that takes so long may end in another pose; none is drawn that is not trained.
+  // Draws the pose at the end of a stroke of a given duration; no random numbers are used for
+  // angles that are not trained.
   const auto pose = [&](double duration) {
     if (range.steepest > 0 && random.between(0, 1) < posing_share) {
       tilt();
@@ -200,7 +213,7 @@ Motion random_touches(const TouchRange& range, std::size_t count, std::uint64_t 
     const int pieces = static_cast<int>(random.between(fewest_pieces, most_pieces + 1));
     const int rest = static_cast<int>(random.between(0, pieces)),
               stroke = (rest + static_cast<int>(random.between(1, pieces))) % pieces;
-    std::array<double, 2> from = at; // where the piece before began
+    std::array<double, 2> from = at; // start of the last piece
     for (int piece = 0; piece < pieces; ++piece) {
       if (piece == rest || (piece != stroke && random.between(0, 1) < rest_share)) {
         path.pressed(random.between(shortest_rest, longest_rest), at, load);

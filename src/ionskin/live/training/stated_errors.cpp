@@ -9,12 +9,13 @@
 namespace ionskin::live {
 namespace {
 
-/// The memory of a run grows with its touches.
+/// Largest number of touches in a run of the full model, as its memory grows with them.
 constexpr std::size_t touches_together = 6;
-/// Over the largest of the touches, since each of some twenty errors is to hold.
+/// Factor on the largest error over the touches, since all of some twenty reported errors are to
+/// hold together [1].
 constexpr double margin = 1.25;
 
-/// A run may lack an event.
+/// Adds the errors of another run, which may lack an event or have a new one.
 void join(std::vector<TouchErrors>&& more, std::vector<TouchErrors>& all) {
   for (TouchErrors& signal : more) {
     const auto known = std::ranges::find_if(all, [&](const TouchErrors& one) {
@@ -30,7 +31,8 @@ void join(std::vector<TouchErrors>&& more, std::vector<TouchErrors>& all) {
   }
 }
 
-/// Anywhere in the trained range, by the seed.
+/// Random coefficient of friction of a run within the trained range, which depends only on the seed
+/// [1].
 double friction_of_run(const SkinData& data, std::uint64_t seed) {
   constexpr double range = 0x1p-53;
   const double share = static_cast<double>(std::mt19937_64(~seed)() >> 11u) * range;

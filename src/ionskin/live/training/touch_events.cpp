@@ -7,10 +7,13 @@
 namespace ionskin::live {
 namespace {
 
-constexpr double way_of_rounding = 1e-12; // way in a millisecond that is rounding [m]
-constexpr double turn_of_rounding = 1e-9; // about z in a millisecond that is rounding [rad]
-constexpr double load_of_rounding = 1e-6; // change of the load in a millisecond, of the largest
+// Changes within a millisecond up to which the slider counts as resting, as they are rounding
+// errors: displacement [m], rotation about z [rad], change of the load over the largest load [1].
+constexpr double way_of_rounding = 1e-12;
+constexpr double turn_of_rounding = 1e-9;
+constexpr double load_of_rounding = 1e-6;
 
+/// Displacement of the slider's centre between two instants [m].
 std::array<double, 2> way_between(const TouchInstant& from, const TouchInstant& to) {
   return {to.centre[0] - from.centre[0], to.centre[1] - from.centre[1]};
 }
@@ -34,8 +37,8 @@ std::vector<std::uint8_t> events_of(std::span<const TouchInstant> instants) {
   for (const TouchInstant& instant : instants) {
     largest = std::max(largest, instant.touches ? std::abs(instant.load) : 0);
   }
-  std::size_t landed = 0, rested = 0, onset = 0; // instants since then
-  bool lands = false, slips = false;             // true while such an event may last
+  std::size_t landed = 0, rested = 0, onset = 0; // instants since each began
+  bool lands = false, slips = false;             // true while the event may last
   for (std::size_t i = 1; i < instants.size(); ++i) {
     const TouchInstant &before = instants[i - 1], &now = instants[i];
     if (before.touches && !now.touches) {

@@ -18,7 +18,7 @@
 namespace ionskin::live {
 namespace {
 
-constexpr double rate = 1e3; // of the steps [1/s]
+constexpr double rate = 1e3; ///< steps of the reduced-order model in a second [1/s]
 constexpr std::array<const char*, 3> moment_names{"moment_x", "moment_y", "moment_z"};
 
 bool presses_by_force(const Motion& motion) {
@@ -26,12 +26,16 @@ bool presses_by_force(const Motion& motion) {
                              [](const Waypoint& point) { return point.force.has_value(); });
 }
 
+/// Collects the errors of the signals against the full model, by touch and event.
 class Comparison {
 public:
+  /// Begins the next touch; nothing is collected before the first call.
   void begin_touch() { ++touch_; }
-  /// @param events of what is added from now on, as bits
+  /// Sets the events of the values that are added from now on.
+  /// @param events bits, as `events_of` returns them
   void set_events(unsigned events) { events_ = events; }
-  /// @param weight in the mean of squares: how long it stands for
+  /// Adds a value of a signal and its reference from the full model.
+  /// @param weight in the mean of squares: duration that the value stands for [s]
   void add(const std::string& name, double value, double reference, double weight = 1 / rate) {
     if (touch_ == 0) {
       return;
@@ -62,8 +66,8 @@ private:
     double square = 0, weight = 0, worst = 0;
   };
   struct Sums {
-    std::map<std::size_t, Touch> touches; ///< by number
-    double largest = 0;
+    std::map<std::size_t, Touch> touches; ///< by the number of the touch
+    double largest = 0;                   ///< largest magnitude of the reference
   };
   void add_to(Sums& sums, double value, double reference, double weight) const {
     const double error = value - reference;
@@ -77,12 +81,13 @@ private:
   std::size_t touch_ = 0;
   unsigned events_ = 0;
   std::map<std::pair<std::size_t, std::string>, Sums>
-      sums_; ///< by event and signal, the whole first
+      sums_; ///< by event (0: whole touch, 1 + event) and signal
 };
 
-/// True if the full model has a value within the step that ends at a time. Between its own steps,
-/// which take up to some hundredths of a second, a taxel's charge is on no straight line: its edge
-/// is passed.
+/// True if the full model has a row within the step that ends at a time. Elsewhere there is nothing
+/// to compare: its own steps take up to some hundredths of a second, and a taxel's charge does not
+/// vary linearly in between, such as when the slider passes the taxel's edge.
+/// @param rows times of the full model, ascending [s]
 bool has_row(const std::vector<double>& rows, double time) {
   const auto after = std::ranges::upper_bound(rows, time + 1e-9 / rate);
   return after != rows.begin() && *(after - 1) > time - (1 - 1e-9) / rate;
@@ -104,6 +109,7 @@ private:
   std::vector<MotionLeg> legs_;
 };
 
+/// Events of the full run at each step of the reduced-order model, as `events_of` returns them.
 std::vector<std::uint8_t> events_each_step(const handover::ContactTimeline& timeline,
                                            const PathAngles& angles, bool by_force, double end) {
   std::vector<TouchInstant> instants;
@@ -133,10 +139,11 @@ std::vector<TouchErrors> validate(const SkinData& data, const FullRun& run) {
   const readout::ChargeRelaxation relaxation{ions.relaxation_charge, ions.relaxation_current};
   const double end = ions.time.back(), sampling = run.input.readout.sample_interval;
   const auto per_sample = static_cast<std::size_t>(std::max(1.0, std::round(sampling * rate)));
-  std::map<std::string, std::pair<double, double>> sampled; // charges at the last sample
+  // Charges at the last sample, by name: value and reference [C].
+  std::map<std::string, std::pair<double, double>> sampled;
   const std::vector<double> begins = landings(run.input.motion);
-  std::size_t touches = 0; // that have begun
-  double compared = 0;     // when charges were, last [s]
+  std::size_t touches = 0; // number of touches that have begun
+  double compared = 0;     // time at which charges were last compared [s]
   Comparison comparison;
   const PathAngles angles(run.input);
   const std::vector<std::uint8_t> events = events_each_step(timeline, angles, by_force, end);
@@ -177,7 +184,8 @@ std::vector<TouchErrors> validate(const SkinData& data, const FullRun& run) {
       }
       sampled[of] = {value, reference};
     };
-    std::array<double, 2> difference{}; // half that of both electrodes, here and there
+    // Half the difference of the charges of both electrodes: value and reference [C].
+    std::array<double, 2> difference{};
     const auto compare_charge = [&](const std::string& of, const std::vector<double>& full,
                                     const std::string& reported, double share) {
       const double value = signals[column("charge_" + of)];

@@ -15,7 +15,8 @@ constexpr int halvings_of_jump = 8;
 void AdhesiveSteps::step(const MotionLeg& leg, const LegLevels& levels, double from, double to,
                          int depth, const PassedSink& passed) {
   const bool shortest = depth == halvings_of_jump;
-  // A slider under a given force stands where the skin carries it, or where it came off.
+  // Under a given force, `passed` returns the height at which the skin carries the slider, or at
+  // which the slider came off.
   const double height_before = shortest ? passed({from, levels.height(from), true}) : 0;
   const SlidingContact::Moment before = contact().moment();
   const double energy = contact().energy();

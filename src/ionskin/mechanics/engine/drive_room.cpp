@@ -15,7 +15,7 @@ namespace {
 /// indentation if the layers were squeezed like columns.
 double largest_load(const Case& input, const mesh::Footprint& footprint) {
   const mesh::HeaviestLoad heaviest = mesh::heaviest_load(input);
-  double compliance = 0; // of a column [m/Pa]
+  double compliance = 0; // of a column in confined compression [m/Pa]
   for (const finite_layers::ElasticLayer& layer : finite_layers::elastic_layers(input.skin)) {
     compliance += layer.thickness / layer.oedometric_modulus();
   }
@@ -26,11 +26,11 @@ double largest_load(const Case& input, const mesh::Footprint& footprint) {
 } // namespace
 
 MotionBox room_on_skin(const Case& input, const mesh::Footprint& footprint) {
-  constexpr double margin = 1e-3; // of the skin; the mesh needs some room at its edges
+  constexpr double margin = 1e-3; // over the skin's size; the mesh needs room at the edges
   MotionBox room{{}, {input.skin.length, input.skin.width}};
   for (std::size_t d = 0; d < 2; ++d) {
     if (d == 1 && covers_width(input)) {
-      continue; // it does not yield along y
+      continue; // the slider does not yield along y
     }
     const double edge = footprint.half_size[d] + margin * room.high[d];
     room.low[d] = edge;

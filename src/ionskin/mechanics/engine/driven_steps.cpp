@@ -16,16 +16,20 @@ namespace {
 /// Length of the first step after a landing, over the natural period; without a mass, over the
 /// duration of the leg [1].
 constexpr double first_of_period = 0.01, first_of_leg = 1.0 / 1024;
+/// Largest and smallest ratio of successive steps, and share of the tolerance that a step aims at
+/// [1].
 constexpr double longest_growth = 1.5, shortest_shrink = 0.3, aim = 0.8;
-/// Number of times that a step is shortened because its end was not foreseen. After that it is
-/// taken, because something jumps.
+/// Number of times that a step is shortened because the slider did not end where it was predicted.
+/// After that the step is accepted, because the slider jumps.
 constexpr int most_rejections = 12;
-constexpr int most_failures = 10;
-constexpr double shortest = 1e-6; ///< step, of the natural period or of its leg
+constexpr int most_failures = 10; ///< number of times that a step without a solution is halved
+/// Shortest step over the natural period; without a mass, over the duration of the leg [1].
+constexpr double shortest = 1e-6;
 /// Largest travel of the drive in a step while cells stick, over its travel from no pull to full
 /// slip [1].
 constexpr double share_of_onset = 0.05;
 
+/// Position and velocity of the drive's end at a fraction of a leg.
 DriveEnd end_at(const MotionLeg& leg, double fraction) {
   DriveEnd end{fraction == 1 ? leg.to : leg.centre(fraction * leg.duration), {}};
   for (std::size_t c = 0; c < 2 && leg.duration > 0; ++c) {
@@ -58,9 +62,9 @@ std::array<double, 2> DrivenSteps::drive_force(const MotionLeg& leg, double frac
   return drive_.force(end_at(leg, fraction));
 }
 
-/// Longest next step [s]. It is limited by the step before and, while cells stick, so that the pull
-/// of the drive grows by small parts of the friction limit. Oscillations of the slider on the
-/// elastic skin are not resolved.
+/// Longest next step [s]: limited by the last step and, while cells stick, so that the pull of the
+/// drive grows by small parts of the friction limit. Oscillations of the slider on the elastic skin
+/// are not resolved.
 double DrivenSteps::longest_step(const MotionLeg& leg) const {
   double longest = longest_ > 0 ? longest_ : std::numeric_limits<double>::infinity();
   if (leg.length() > 0 && contact().in_contact() && contact().sticks()) {

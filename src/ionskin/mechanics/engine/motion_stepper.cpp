@@ -16,8 +16,10 @@ namespace {
 /// Steps while the slider rests and rate-dependent friction relaxes: first step over the duration
 /// of the rest, and ratio of successive steps [1].
 constexpr double first_of_rest = 1.0 / 1024, growth_of_rest = 1.5;
-constexpr double instant_tolerance = 1e-12; // of the time itself
+/// Difference of two instants that counts as rounding, over the time [1].
+constexpr double instant_tolerance = 1e-12;
 
+/// Makes the stepping method: for a slider on a drive, with adhesion, or on a rigid path.
 std::unique_ptr<LegSteps> leg_steps(SlidingContact& contact, const StepperOptions& options) {
   if (options.drive) {
     return std::make_unique<DrivenSteps>(contact, *options.drive, options.meshed_share);
@@ -160,7 +162,7 @@ double MotionStepper::next_fraction(const MotionLeg& leg, const LegLevels& level
 /// Brings the slider to the point of the leg where it may touch.
 /// @returns true if it lands there
 bool MotionStepper::lands_on_the_way(const MotionLeg& leg, const LegLevels& levels) {
-  // A slider that lies on the skin at the start has come there through the air, without slip.
+  // A slider that lies on the skin at the start counts as landed from above, without slip.
   if (levels.begin > 0 || (contact_.range() == 0 && !contact_.in_contact())) {
     contact_.set_end_of_step(leg.begin + levels.begin * leg.duration);
     contact_.step(levels.begin * leg.duration, leg.centre(levels.begin * leg.duration),
@@ -181,7 +183,7 @@ bool MotionStepper::lands_on_the_way(const MotionLeg& leg, const LegLevels& leve
 
 void MotionStepper::begin_travel(const MotionLeg& leg, bool lands, double begin) {
   if (lands) {
-    travel_.pass(leg.direction()); // whatever touches on the way slips from the first
+    travel_.pass(leg.direction()); // cells that come into contact slip at once: there is no onset
     return;
   }
   if (travel_.begin(leg, contact_) && !onset_open_) {
@@ -237,7 +239,7 @@ void MotionStepper::go(const MotionLeg& leg, const LegLevels& levels) {
     const bool leaves = lets_go || (at == levels.end && levels.leaves());
     if (onset_open_) {
       onsets_.back()[1] = time;
-      // The path does not tell the speed of a slider on a drive.
+      // The path does not give the speed of a slider on a drive.
       const bool over =
           steps_->follows_path() ? travel_.is_over(leg, contact_) : !contact_.sticks();
       onset_open_ = !leaves && !over;

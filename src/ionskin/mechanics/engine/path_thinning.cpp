@@ -8,10 +8,10 @@
 namespace ionskin::mechanics {
 namespace {
 
-constexpr std::size_t most_waiting = 64;
+constexpr std::size_t most_waiting = 64; ///< largest number of instants between stored ones
 /// Allowance for rounding [1]: steps are often exactly as long as a limit, or as a fraction of it.
 constexpr double beyond_rounding = 1 + 1e-6;
-/// Least gap of a cell that the underside does not cover [m].
+/// Smallest gap at which a cell counts as beyond the underside [m].
 constexpr double far_beyond = 0.1;
 
 double component(const CellVector& force, std::size_t at) {
@@ -62,7 +62,8 @@ bool PathThinning::straight(const Instant& to) const {
   return true;
 }
 
-/// True if the displacement of the underside by tilt and turn is linear in time, too, up to `to`.
+/// True if the displacement of the underside by tilt and rotation is linear in time from the last
+/// stored instant to `to`.
 bool PathThinning::stays_straight(const Instant& between, const Instant& to, double weight) const {
   if (!between.turned || !kept_.turned || !to.turned) {
     return !between.turned && !to.turned;

@@ -87,8 +87,8 @@ bool SlidingContact::sticks() const {
   return stick_fraction(problem_, state_.force) > 0;
 }
 
-/// Lagged speed of slip in each cell after `time_step` [s], following the speed of slip in the
-/// last step [m/s].
+/// Lagged slip speed of each cell after `time_step` [s], which relaxes towards the slip speed of
+/// the last step [m/s].
 std::vector<double> SlidingContact::followed(const std::vector<double>& speed,
                                              double time_step) const {
   const double lag = problem_.friction.lag, last = state_.step.time_step;
@@ -147,11 +147,11 @@ void SlidingContact::condense_at(const std::array<double, 2>& place) {
 bool SlidingContact::reaches(const SliderLoad& load) const {
   const laws::CohesiveZone& adhesion = problem_.friction.adhesion;
   if (adhesion.pulls() && in_contact()) {
-    return true; // it may hold on at any height
+    return true; // adhesion may hold the slider at any height
   }
   const double least =
       load.kind == LoadKind::force ? 0 : problem_.least_free_gap() - adhesion.range;
-  return !(load.value <= least); // NaN is left to the solver to refuse
+  return !(load.value <= least); // NaN passes, and the solver refuses it
 }
 
 SurfaceState SlidingContact::solve_adhesive(const ContactProblem& problem, const SliderStep& step) {
@@ -202,7 +202,8 @@ std::shared_ptr<const std::vector<std::array<double, 3>>> SlidingContact::turned
                : nullptr;
 }
 
-/// @param pose at the end; empty where it stays
+/// Solves a step. Where there is no solution, throws and leaves the contact as it was.
+/// @param pose at the end; empty if the pose does not change
 const SurfaceState& SlidingContact::move(double time_step, const SliderGuide& guide,
                                          const SliderLoad& load,
                                          const std::optional<shapes::Pose>& pose) {

@@ -8,6 +8,7 @@
 namespace ionskin::mechanics {
 namespace {
 
+/// Sum of the magnitudes of force components [N].
 double sum_of_sizes(const std::vector<double>& force) {
   double sum = 0;
   for (const double value : force) {

@@ -15,7 +15,7 @@ namespace {
 /// Widens a box by the swing of a slider on a drive that halts: its speed over the natural angular
 /// frequency.
 void add_swing(const Case& input, MotionBox& box) {
-  constexpr double most = 0.5; // of the room beside it
+  constexpr double most = 0.5; // largest part of the room beside the box
   const double seconds = input.motion.drive.natural_period() / (2 * std::numbers::pi);
   const std::array<double, 2> skin{input.skin.length, input.skin.width};
   const double clearance = clearance_of_swings(input.skin);
@@ -52,7 +52,7 @@ std::optional<MotionBox> contact_box(const Case& input) {
     }
   };
   const bool adheres = laws::friction_law(input.contact.law).adheres;
-  bool held = false; // by adhesion, also where a leg only pulls
+  bool held = false; // true while adhesion holds the slider, also where a leg only pulls
   for (const MotionLeg& leg : motion_legs(input.motion, input.slider)) {
     held = adheres && (held || leg.touches());
     if (held) {

@@ -123,7 +123,7 @@ ContactReach reach_in_pose(const Case& input, const SkinModel& model,
   for (const SliderLoad& load : heaviest_loads(input, model.mesh.half_model())) {
     include(solve_contact_step(problem, {load, {0, 0}, 0, none}, none));
     if (problem.friction.adhesion.pulls()) {
-      continue; // sliding beyond the border shows on the path, which gets a wider footprint
+      continue; // `widened_footprint` follows where sliding reaches the border
     }
     for (const auto& way : slide_directions(input)) {
       for (const double sign : {1.0, -1.0}) {

@@ -20,9 +20,9 @@ namespace {
 /// The slider then sticks and slips once for each travel of the drive by twice the fall of friction
 /// over the spring's stiffness.
 double steps_of_stick_slip(const Case& input, const MotionLeg& leg) {
-  constexpr double steps_each = 115; // measured
-  constexpr double change = 0.01;    // of the speed
-  constexpr double fast = 100;       // a slip, over the speed of the drive
+  constexpr double steps_each = 115; // of one stick and slip, measured
+  constexpr double change = 0.01;    // of the speed, for the slope of friction
+  constexpr double fast = 100;       // speed of a slip over the speed of the drive
   const Drive& drive = input.motion.drive;
   if (!drive.given() || !leg.to_level.is_force) {
     return 0;
@@ -71,7 +71,8 @@ double mean_cost(const std::function<double(double x)>& cost, double from, doubl
 } // namespace
 
 ExpectedSteps expected_steps(const Case& input, const std::function<double(double x)>& cost) {
-  // Measured, for steps, and for rows of a path so close to each other that each is one step.
+  // Shares of the steps that thinning stores, measured: of steps in general, and of steps along a
+  // path whose rows are so close that each takes a single step.
   constexpr double kept_share = 0.5, kept_share_of_rows = 0.22;
   const PathSteps each;
   const mesh::HeaviestLoad heaviest = mesh::heaviest_load(input);

@@ -19,17 +19,18 @@
 namespace ionskin::mechanics {
 namespace {
 
-constexpr int most_passes = 12;
-constexpr double growth = 1.4;
-/// Number of growths after which the first guess counts as far too small, as where adhesion pulls
-/// over a wide gap.
+constexpr int most_passes = 12; ///< largest number of trial footprints
+constexpr double growth = 1.4;  ///< factor on a rim whose border the contact reaches [1]
+/// Number of growths of a rim after which `fast_growth` applies: the first guess was far too small,
+/// as where adhesion pulls over a wide gap.
 constexpr int many_growths = 4;
 constexpr double fast_growth = 2.5;
-constexpr double least_fill = 0.6;   ///< of the rim by the contact, before it is accepted
-constexpr double trial_margin = 1.3; ///< of a rim that is tried next
-constexpr double margin = 1.1;       ///< of the rim that is accepted
-constexpr double grid_ratio = 1.05;
-constexpr double share_of_pass = 0.5; ///< of the progress that is left; how many follow is unknown
+constexpr double least_fill = 0.6;   ///< smallest share of a rim that the contact must fill [1]
+constexpr double trial_margin = 1.3; ///< rim that is tried next, over what the contact needs [1]
+constexpr double margin = 1.1;       ///< rim that is accepted, over what the contact needs [1]
+constexpr double grid_ratio = 1.05;  ///< ratio of successive rims that can be accepted [1]
+/// Share of the remaining progress that a pass takes, as the number of passes is unknown [1].
+constexpr double share_of_pass = 0.5;
 
 /// Reach of the contact with the slider at two opposite corners of its track.
 ContactReach reach_of(const Case& input, const mesh::Footprint& footprint, double friction,
@@ -57,6 +58,7 @@ double rounded_up(double value) {
   return std::pow(grid_ratio, std::ceil(std::log(value) / std::log(grid_ratio)));
 }
 
+/// Sets the rim of a footprint along a direction, within the limit, and the half size with it.
 void set_rim(mesh::Footprint& footprint, std::size_t direction, double rim,
              const mesh::Footprint& limit) {
   const double flat = limit.half_size[direction] - limit.rim[direction];
@@ -64,6 +66,7 @@ void set_rim(mesh::Footprint& footprint, std::size_t direction, double rim,
   footprint.half_size[direction] = flat + footprint.rim[direction];
 }
 
+/// Throws UserError: the contact reaches the edge of the skin.
 [[noreturn]] void refuse_edge(std::size_t direction) {
   throw UserError(fmt::format("the contact reaches the edge of the skin along {}: {}",
                               direction == 0 ? "x" : "y",
@@ -86,7 +89,7 @@ mesh::Footprint footprint_at(const Case& input, double friction, int threads,
   const Case coarse = footprint_case(input);
   parallel::SharedProgress progress("contact footprint", callback);
   std::array<int, 2> growths{};
-  std::array<double, 2> too_narrow{}; // reached by the contact; with few cells, rims could cycle
+  std::array<double, 2> too_narrow{}; // widest rim that the contact filled; prevents cycling
   for (int pass = 0; pass < most_passes; ++pass) {
     const ContactReach reach = reach_of(coarse, footprint, friction, threads, progress);
     bool settled = true;

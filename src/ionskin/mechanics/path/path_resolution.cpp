@@ -16,11 +16,11 @@ double longest_kept_travel(const Case& input) {
 }
 
 double longest_step_turn(const Numerics& numerics) {
-  return path_resolution(numerics); // a coarse one has 31 in a quarter turn
+  return path_resolution(numerics); // coarse preset: 31 steps in a quarter turn
 }
 
 double longest_step_travel(const Case& input) {
-  constexpr double steps_per_interval = 2; // that are kept at most
+  constexpr double steps_per_interval = 2; // fewest steps in the longest stored interval
   return longest_kept_travel(input) / steps_per_interval;
 }
 

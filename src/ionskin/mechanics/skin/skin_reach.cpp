@@ -34,7 +34,7 @@ finite_layers::SkinResolution resolution_beside(const Skin& skin, const mesh::Fo
 // Short waves reach over twice the clearance. Memory grows with the skin over the square of that
 // reach; see planning::mechanics_cost.
 double clearance_of_swings(const Skin& skin) {
-  constexpr double most = 1000; // of that ratio
+  constexpr double most = 1000; // largest such ratio
   return 0.5 * std::sqrt(skin.length * skin.width / most);
 }
 
@@ -46,7 +46,7 @@ double short_wave_reach(const Skin& skin, const mesh::Footprint& footprint,
 std::function<double(double x)> end_products(const Skin& skin, const mesh::Footprint& footprint,
                                              const MotionBox& places, double forces, bool half) {
   const finite_layers::SkinResolution beside = resolution_beside(skin, footprint, places);
-  double nodes = 1; // through the thickness
+  double nodes = 1; // number through the thickness
   for (const finite_layers::ElementSizes& sizes : beside.elements) {
     nodes += static_cast<double>(sizes.size()) * beside.degree;
   }

@@ -48,6 +48,7 @@ std::vector<double> heights(const mesh::SkinMesh& mesh) {
   return gauss_points(core);
 }
 
+/// Mean size of the columns in the footprint, along x or y, whichever is smaller [m].
 double mean_column(const mesh::SkinMesh& mesh) {
   const std::vector<double>&x = mesh.footprint_lines_x(), &y = mesh.footprint_lines_y();
   return std::min((x.back() - x.front()) / static_cast<double>(x.size() - 1),
@@ -63,7 +64,7 @@ std::optional<finite_layers::PlacesAcross> places_across(const SkinModel& model)
   }
   const std::array<double, 2>& low = model.places.low;
   const std::vector<double> lines = model.mesh.lines_across(low[1]);
-  const double middle = lines.back(); // of the skin, where it is half of it
+  const double middle = lines.back(); // of the skin's width, where a half model ends
   return finite_layers::PlacesAcross{model.mesh.half_model() ? middle : low[1], halves(lines),
                                      lines};
 }
@@ -80,6 +81,7 @@ double von_mises_stress(const finite_layers::ElasticLayer& layer,
   return 2 * layer.shear_modulus * std::sqrt(1.5 * squares);
 }
 
+/// Largest von Mises stress of each electrode layer over all columns, bottom to top [Pa].
 std::vector<double> largest_stresses(const SkinModel& model,
                                      const finite_layers::StrainField& electrodes) {
   std::vector<double> result;
@@ -142,7 +144,7 @@ CoreStrain core_strain(finite_layers::StrainField field) {
 
 finite_layers::ComponentChoice strain_components(const Case& input) {
   finite_layers::ComponentChoice result = laws::shear_measure(input.coupling.measure).reads;
-  if (moves_water(input)) { // by the dilation
+  if (moves_water(input)) { // the dilation is needed too
     result[0] = result[1] = result[2] = true;
   }
   return result;

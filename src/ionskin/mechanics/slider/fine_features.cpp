@@ -13,9 +13,11 @@
 namespace ionskin::mechanics {
 namespace {
 
-constexpr std::size_t samples_along_cell = 11; ///< of a cell along x and y
-constexpr double departure_limit = 0.1;        ///< of the departure over the deepest indentation
+constexpr std::size_t samples_along_cell = 11; ///< samples of a cell along x, and along y
+/// Rms departure from a plane above which a warning is given, over the deepest indentation [1].
+constexpr double departure_limit = 0.1;
 
+/// Contact cell in the plan of the slider.
 struct PlanCell {
   double x = 0, y = 0, length = 0, width = 0; ///< corner and sizes [m]
 };
@@ -23,7 +25,7 @@ struct PlanCell {
 /// Rms departure of the underside from a plane, from samples in a cell [m]; 0 where the cell does
 /// not reach within `depth` of the lowest point, or lies partly beyond the plan.
 double departure_in(const Underside& underside, const PlanCell& cell, double depth) {
-  // Centred places, over the cell's size, are orthogonal to each other and to constants.
+  // Positions from the cell's middle, over its size: x, y and 1 are orthogonal in the samples.
   const auto place = [](std::size_t i) {
     return (static_cast<double>(i) + 0.5) / static_cast<double>(samples_along_cell) - 0.5;
   };

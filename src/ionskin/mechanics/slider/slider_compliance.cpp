@@ -11,7 +11,8 @@ namespace {
 
 namespace fl = finite_layers;
 
-constexpr double reach_of_pad = 12; // over its thickness: beyond it rests
+/// Distance from a force beyond which a pad does not move, over its thickness [1].
+constexpr double reach_of_pad = 12;
 /// Largest Poisson's ratio that is used [1], because the stiffness against a change of volume has
 /// no bound at 0.5. With this value it is a million times the stiffness against shear, and
 /// displacements are those of 0.5 to about 1e-6.

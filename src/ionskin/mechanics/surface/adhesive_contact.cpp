@@ -14,11 +14,11 @@
 namespace ionskin::mechanics {
 namespace {
 
-constexpr int most_relaxations = 3000;
+constexpr int most_relaxations = 3000; ///< largest number of updates of the pulls
 /// Changes of the pulls over the largest force [1]: below the first, Newton's method takes over;
 /// below the second, the contact is solved.
 constexpr double near_change = 0.02, relaxed_change = 1e-10;
-constexpr int relaxations_between = 10; ///< attempts of Newton
+constexpr int relaxations_between = 10; ///< updates between attempts by Newton's method
 /// Largest change of the normal forces by Newton's method, over the sum of the forces [1]; a larger
 /// one means that it went to another solution.
 constexpr double most_moved = 0.2;
@@ -31,6 +31,7 @@ constexpr double most_moved = 0.2;
       "lower contact.cohesive_strength or contact.friction, or raise numerics.mesh_refinement");
 }
 
+/// Opening between slider and surface at each cell [m].
 std::vector<double> openings(const ContactProblem& problem, double indentation,
                              const CellVector& surface) {
   std::vector<double> result(problem.area.size());

@@ -15,15 +15,15 @@
 namespace ionskin::mechanics {
 namespace {
 
-constexpr int most_heights = 200;
-constexpr double first_way = 0.25; ///< of the range of the adhesion
-constexpr double longest_way_growth = 2;
-constexpr double beyond_need = 1.05; ///< of the way that a straight line foresees
-/// Shortest way up, over the range of adhesion [1]: where it would be halved below, the slider
-/// comes off in a jump.
+constexpr int most_heights = 200;        ///< largest number of heights that are tried
+constexpr double first_way = 0.25;       ///< first change of height over the range of adhesion [1]
+constexpr double longest_way_growth = 2; ///< largest ratio of successive changes of height [1]
+constexpr double beyond_need = 1.05;     ///< change of height over its linear extrapolation [1]
+/// Shortest way up, over the range of adhesion [1]: if the slider comes off within it, it does so
+/// in a jump.
 constexpr double shortest_way = 1e-4;
-constexpr double balance_tolerance = 1e-10; ///< of the sum of the cells' forces
-constexpr double height_tolerance = 1e-18;  ///< [m]
+constexpr double balance_tolerance = 1e-10; ///< error of the force over the sum of magnitudes [1]
+constexpr double height_tolerance = 1e-18;  ///< width of the final bracket of the height [m]
 
 /// Searches for the height of the slider at which an adhesive contact carries a given force.
 class ForceSearch {
@@ -31,6 +31,7 @@ public:
   ForceSearch(const ContactProblem& problem, const SliderStep& step)
       : problem_(problem), step_(step), range_(problem.friction.adhesion.range) {}
 
+  /// Searches from a start, up or down, until two heights enclose the force.
   SurfaceState from(const AdhesiveStart& start) const {
     SurfaceState here = at(start.indentation, start);
     const double side = excess(here) > 0 ? -1 : 1; // up where it presses too hard
@@ -39,7 +40,7 @@ public:
       SurfaceState next = at(here.indentation + side * way, start_from(problem_, here));
       if (side < 0 && sum_of_magnitudes(next.force) == 0) {
         if (way <= shortest_way * range_) {
-          return next; // it comes off before it pulls so hard
+          return next; // the slider comes off before it pulls with the given force
         }
         way /= 2;
         continue;
@@ -59,9 +60,11 @@ public:
   }
 
 private:
+  /// Normal force of a state minus the given force [N].
   double excess(const SurfaceState& state) const {
     return total_normal_force(state.force) - step_.load.value;
   }
+  /// Solves at a held indentation [m].
   SurfaceState at(double indentation, const AdhesiveStart& start) const {
     SliderStep step = step_;
     step.load = {LoadKind::indentation, indentation};

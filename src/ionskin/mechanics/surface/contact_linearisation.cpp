@@ -82,7 +82,7 @@ void ContactLinearisation::equations_by_surface(int i, const double* moved, doub
 Eigen::MatrixXd ContactLinearisation::matrix() const {
   Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(size_, size_);
   const int count = static_cast<int>(at_.active.size());
-  Eigen::VectorXd surface; // by an unknown
+  Eigen::VectorXd surface; // displacement by a unit of one unknown
   for (int j = 0; j < count; ++j) {
     for (int s = 0; s < (follows(at_.active[j]) ? 1 : 3); ++s) {
       displacement_by(j, s, surface);
@@ -163,8 +163,8 @@ Eigen::VectorXd ContactLinearisation::times(const Eigen::VectorXd& change) const
   return result;
 }
 
-/// Approximate normal forces of the active cells that make given normal displacements, with all
-/// other cells held.
+/// Approximate normal forces on the active cells that cause given normal displacements there, and
+/// no displacement of the other cells.
 Eigen::VectorXd ContactLinearisation::pressed_by(const Eigen::VectorXd& displacement) const {
   CellVector values(3 * problem_.area.size(), 0.0);
   for (std::size_t i = 0; i < at_.active.size(); ++i) {
@@ -190,7 +190,7 @@ Eigen::VectorXd ContactLinearisation::about_inverse(const Eigen::VectorXd& right
     normal += indentation * by_one_;
     result[size_ - 1] = indentation;
   }
-  CellVector values(3 * problem_.area.size(), 0.0); // tangential right sides, then what makes them
+  CellVector values(3 * problem_.area.size(), 0.0); // tangential displacements, then forces
   for (int i = 0; i < count; ++i) {
     const int cell = at_.active[i];
     result[first_[i]] = normal[i];

@@ -11,8 +11,9 @@
 namespace ionskin::mechanics {
 namespace {
 
+/// Residual of a solution, over the largest normal force of a cell [1].
 constexpr double newton_tolerance = contact_tolerance / 10;
-constexpr int most_iterations = 30;
+constexpr int most_iterations = 30; ///< largest number of iterations, unless a limit below applies
 /// Limits of a solution with `Patience::much`: its iterations, the first iteration in which a step
 /// is halved if the residual grows, and the number of such halvings.
 constexpr int most_patient_iterations = 100, first_halved = 15, most_halvings = 4;
@@ -34,8 +35,8 @@ bool has_positive_determinant(const Eigen::PartialPivLU<Eigen::MatrixXd>& factor
   return positive;
 }
 
-/// Restarts from an undeformed skin where no cell touches any more, so that the skin rises to the
-/// slider. A given force is put on the cell that the slider meets first.
+/// Restarts from an undeformed skin when no cell is in contact any more, so that the skin rises to
+/// the slider. A given force is put on the cell that the slider meets first.
 void begin_anew(const ContactProblem& problem, const SliderStep& step, Iterate& iterate) {
   std::ranges::fill(iterate.force, 0.0);
   if (step.load.kind == LoadKind::force) {

@@ -13,7 +13,8 @@ namespace ionskin::mechanics {
 namespace {
 
 constexpr std::uintmax_t most_iterations = 60;
-constexpr double border_tolerance = 1e-14; // of the farthest border
+/// Tolerance of the border's position, over its farthest possible distance [1].
+constexpr double border_tolerance = 1e-14;
 
 /// Mean of sqrt(border - x) over an interval, times 3/2; the interval may reach beyond the border.
 double mean_root(double from, double to, double border) {
@@ -53,6 +54,8 @@ public:
   CellField(const CellGrid& cells, std::span<const double> field)
       : cells_(cells), field_(field), count_{cells.lines_x.size() - 1, cells.lines_y.size() - 1} {}
 
+  /// Area within the border: positive cells, corrected for where the border lies between grid
+  /// lines.
   double area() const {
     double sum = 0;
     for (std::size_t cell = 0; cell < cells_.area.size(); ++cell) {

@@ -10,9 +10,10 @@
 namespace ionskin::mechanics {
 namespace {
 
-constexpr Eigen::Index most_directions = 60;
-constexpr int most_begun = 5;
-constexpr double least_progress = 0.9; // of the residual from one beginning to the next
+constexpr Eigen::Index most_directions = 60; ///< number of directions before a restart
+constexpr int most_begun = 5;                ///< largest number of starts
+/// Ratio of the residuals at successive starts above which the iteration ends [1].
+constexpr double least_progress = 0.9;
 
 /// Orthonormal directions of a Krylov space, and the least residual in that space by Givens
 /// rotations.
@@ -28,6 +29,7 @@ public:
   const Eigen::VectorXd& last() const { return directions_.back(); }
   Eigen::Index size() const { return static_cast<Eigen::Index>(rotations_.size()); }
   double residual() const { return std::abs(rest_(size())); }
+  /// True if no direction can be added.
   bool full() const { return size() == most_directions || ended_; }
 
   /// Adds a direction.
@@ -92,7 +94,7 @@ Eigen::VectorXd gmres(const LinearMap& product, const LinearMap& about_inverse,
     const bool found = space.residual() <= wanted;
     solution += about_inverse(space.combination());
     if (found) {
-      break; // Newton's method sees the effect of rounding
+      break; // Newton's method checks the true residual
     }
     residual = right - product(solution);
     if (!(residual.norm() < least_progress * before)) {
