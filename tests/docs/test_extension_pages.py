@@ -79,11 +79,13 @@ class Steps(unittest.TestCase):
                     touched.add(str(own))
         self.assertEqual(touched, set.union(*self.named.values()))
 
-    def test_a_circuit_and_a_shape_touch_their_own_folders_alone(self):
+    def test_a_circuit_and_a_shape_touch_their_own_folders_and_the_words_of_a_figure(self):
         self.assertEqual(self.named[CIRCUITS], {
             "src/ionskin/circuits/voltmeter.hpp", "src/ionskin/circuits/voltmeter.cpp", "src/ionskin/circuits/circuit.cpp",
+            "src/ionskin/circuits/charge_amplifier.hpp", "src/ionskin/circuits/charge_amplifier.cpp",
             "src/ionskin/circuits/CMakeLists.txt", "tests/unit/circuits/voltmeter_test.cpp",
-            "tests/unit/circuits/CMakeLists.txt"})
+            "tests/unit/circuits/charge_amplifier_test.cpp", "tests/unit/circuits/CMakeLists.txt",
+            "python/ionskin/page/quantities.py"})
         self.assertEqual(self.named[SHAPES], {
             "src/ionskin/shapes/paraboloid.hpp", "src/ionskin/shapes/paraboloid.cpp", "src/ionskin/shapes/shape.cpp",
             "src/ionskin/shapes/CMakeLists.txt", "tests/unit/shapes/paraboloid_test.cpp",
@@ -131,6 +133,9 @@ class Built(Steps):
         open_voltage, voltage = (metric(self.tree / name, "peak_voltage") for name in ("open", "voltmeter"))
         self.assertLess(voltage, open_voltage)
         self.assertGreater(voltage, 0.9 * open_voltage)
+        reading = signals(self.tree / "charge", "circuit")
+        self.assertGreater(abs(reading["charge"]).max(), 0)
+        self.assertAlmostEqual(metric(self.tree / "charge", "peak_amplifier_voltage") * 1e-5 / abs(reading["charge"]).max(), 1, delta=1e-6)
         self.assertIn("missing key readout.cable_length",
                       self.shell("build/ionskin check cases/paper/coarse.toml --set readout.circuit=voltmeter", expect=2).stderr)
         refused = self.shell("build/ionskin check cases/paper/coarse.toml --set readout.cable_length='\"2 m\"'", expect=2).stderr
