@@ -4,6 +4,7 @@
 #include "ionskin/case/slider_motion.hpp"
 #include "temporary_case.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -202,6 +203,22 @@ TEST(Waypoints, MistakesInAFileAreSaidWithTheirLine) {
                             "1\t4,5\t1\tlow\r"),
               AllOf(HasSubstr("path.csv:3"), HasSubstr("low")));
   EXPECT_THAT(error_of_file(""), HasSubstr("no header"));
+}
+
+TEST(Waypoints, OneMistakeOfManyRowsIsSaidOnce) {
+  std::string zeros = "time [s],x [mm],y [mm],force [N]\n",
+              epoch = "time [s],x [mm],y [mm],height [mm]\n";
+  for (int row = 0; row < 200; ++row) {
+    zeros += fmt::format("{},4,1,-0.0\n", row);
+    epoch += fmt::format("{},4,1,1\n", 1403636580 + row);
+  }
+  const std::string of_zeros = error_of_file(zeros), of_epoch = error_of_file(epoch);
+  EXPECT_THAT(of_zeros,
+              AllOf(HasSubstr("waypoint 1 has a force of 0 N (and 199 more of this kind)"),
+                    HasSubstr("path.csv:2"), HasSubstr("path.csv:4"), Not(HasSubstr("path.csv:5")),
+                    Not(HasSubstr("problems in"))));
+  EXPECT_THAT(of_epoch, AllOf(HasSubstr("(and 199 more of this kind)"),
+                              HasSubstr("subtract the time of the first waypoint from all")));
 }
 
 TEST(Waypoints, AreReadAsProgramsLeaveThem) {

@@ -12,6 +12,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -42,39 +43,64 @@ public:
           "ionskin init FILE --from waypoints writes a case with a path");
       return false;
     }
-    constexpr std::size_t most_told = 10; // each message reads the whole file for its line
-    for (std::size_t i = 0, told = 0; i < waypoints.size() && told < most_told; ++i) {
-      const bool was_sound = std::exchange(sound_, true);
+    for (std::size_t i = 0; i < waypoints.size(); ++i)
       check_one(i);
-      told += sound_ ? 0 : 1;
-      sound_ = sound_ && was_sound;
-    }
-    if (!sound_)
+    if (mistakes_.empty())
+      for (std::size_t i = 1; i < waypoints.size(); ++i)
+        check_pair(i);
+    if (!mistakes_.empty()) {
+      add_mistakes();
       return false;
-    for (std::size_t i = 1, told = 0; i < waypoints.size() && told < most_told; ++i) {
-      const bool was_sound = std::exchange(sound_, true);
-      check_pair(i);
-      told += sound_ ? 0 : 1;
-      sound_ = sound_ && was_sound;
     }
     check_ends();
     return sound_;
   }
 
 private:
+  /// Mistakes of one kind.
+  struct Mistake {
+    std::string message; ///< about the first of them
+    std::vector<Pointer> pointers;
+    std::string remedy;
+    std::size_t count = 0;
+  };
+
   void add(const std::string& message, const std::vector<Pointer>& pointers,
            const std::string& remedy) {
     problems_.add(message, pointers, remedy);
     sound_ = false;
   }
 
-  /// Adds a mistake of a waypoint. For waypoints from a file, which may be an unprepared recording,
-  /// the remedy also names the command that makes a path of a recording.
-  void add_of_recording(std::size_t i, const std::string& message, const std::string& remedy) {
-    add(message, point_at_waypoint(document_, i),
-        motion_.file.empty() ? remedy
-                             : remedy + "; is the file a recording? ionskin motion FILE -o "
-                                        "path.csv makes a path of it");
+  /// Notes a mistake of waypoint `i`. Waypoints whose mistakes have one remedy are reported
+  /// together, as every row of a file may have the same mistake.
+  void note(std::size_t i, const std::string& message, const std::string& remedy) {
+    const auto known = std::ranges::find(mistakes_, remedy, &Mistake::remedy);
+    if (known == mistakes_.end()) {
+      mistakes_.push_back({message, point_at_waypoint(document_, i), remedy, 1});
+      return;
+    }
+    constexpr std::size_t most_pointers = 3; // each reads the whole file for its line
+    if (++known->count <= most_pointers)
+      for (Pointer& pointer : point_at_waypoint(document_, i))
+        known->pointers.push_back(std::move(pointer));
+  }
+
+  /// Notes a mistake of a waypoint. For waypoints from a file, which may be an unprepared
+  /// recording, the remedy also names the command that makes a path of a recording.
+  void note_of_recording(std::size_t i, const std::string& message, const std::string& remedy) {
+    note(i, message,
+         motion_.file.empty() ? remedy
+                              : remedy + "; is the file a recording? ionskin motion FILE -o "
+                                         "path.csv makes a path of it");
+  }
+
+  void add_mistakes() {
+    for (const Mistake& mistake : mistakes_) {
+      add(mistake.count == 1
+              ? mistake.message
+              : fmt::format("{} (and {} more of this kind)", mistake.message, mistake.count - 1),
+          mistake.pointers, mistake.remedy);
+    }
   }
 
   /// Checks a value of a waypoint against the range of its key. Needed for waypoints from a file;
@@ -82,10 +108,13 @@ private:
   void check_range(std::size_t i, const std::string& name, double value) {
     const SchemaRow& row = *find_row("motion.waypoints[]." + name);
     if (!row.range.contains(value))
-      add_of_recording(i,
-                       fmt::format("waypoint {}: {} = {} is out of range", i + 1, name,
-                                   units::format_si(value, row.dimension)),
-                       fmt::format("it must be {}", describe(row.range, row.dimension)));
+      note_of_recording(i,
+                        fmt::format("waypoint {}: {} = {} is out of range", i + 1, name,
+                                    units::format_si(value, row.dimension)),
+                        fmt::format("{} must be {}{}", name, describe(row.range, row.dimension),
+                                    name == "time" && motion_.waypoints.front().time > 0
+                                        ? "; subtract the time of the first waypoint from all"
+                                        : ""));
   }
 
   void check_one(std::size_t i) {
@@ -102,43 +131,46 @@ private:
     check_range(i, "yaw", waypoint.yaw.value_or(0));
     if (const double tilt = std::hypot(waypoint.roll.value_or(0), waypoint.pitch.value_or(0));
         tilt > steepest_tilt)
-      add(fmt::format("waypoint {}: roll and pitch together tilt the slider by {:.4g} deg", i + 1,
-                      tilt * degrees),
-          point_at_waypoint(document_, i), remedy_of_tilt());
+      note(i,
+           fmt::format("waypoint {}: roll and pitch together tilt the slider by {:.4g} deg", i + 1,
+                       tilt * degrees),
+           remedy_of_tilt());
     if (waypoint.height.has_value() == waypoint.force.has_value())
-      add_of_recording(
+      note_of_recording(
           i,
           fmt::format("waypoint {} has {}", i + 1,
                       waypoint.force ? "both a height and a force" : "neither height nor force"),
           "give it one of the two");
     constexpr double least_force = 1e-9; // [N]
     if (waypoint.force && *waypoint.force > 0 && *waypoint.force < least_force)
-      add(fmt::format("waypoint {}: force = {:.6g} N is out of range", i + 1, *waypoint.force),
-          point_at_waypoint(document_, i), "it must be at least 1e-09 N");
+      note(i, fmt::format("waypoint {}: force = {:.6g} N is out of range", i + 1, *waypoint.force),
+           "it must be at least 1e-09 N");
     const bool adheres = laws::friction_law(document_.input.contact.law).adheres;
     if (waypoint.force && *waypoint.force <= 0 && !adheres)
-      add_of_recording(
-          i, fmt::format("waypoint {} has a force of {:.6g} N", i + 1, *waypoint.force),
+      note_of_recording(
+          i,
+          fmt::format("waypoint {} has a force of {:.6g} N", i + 1,
+                      *waypoint.force + 0.0), // without the sign of -0
           "a force must be above 0 N; a detached slider has a height, and one that pulls needs "
           "contact.law = \"adhesive\"");
     const double thickness = document_.input.skin.thickness();
     if (waypoint.height && -*waypoint.height >= thickness)
-      add(fmt::format("waypoint {} reaches through the skin, which is {:.6g} mm thick: its height "
-                      "is {:.6g} mm",
-                      i + 1, thickness * 1e3, *waypoint.height * 1e3),
-          point_at_waypoint(document_, i),
-          fmt::format("the height must be above {:.6g} mm", -thickness * 1e3));
+      note(i,
+           fmt::format("waypoint {} reaches through the skin, which is {:.6g} mm thick: its height "
+                       "is {:.6g} mm",
+                       i + 1, thickness * 1e3, *waypoint.height * 1e3),
+           fmt::format("the height must be above {:.6g} mm", -thickness * 1e3));
   }
 
   void check_pair(std::size_t i) {
     const Waypoint &before = motion_.waypoints[i - 1], &here = motion_.waypoints[i];
     if (here.time <= before.time)
-      add(fmt::format("waypoint {} at {:.6g} s does not come after waypoint {} at {:.6g} s", i + 1,
-                      here.time, i, before.time),
-          point_at_waypoint(document_, i),
-          here.time == before.time
-              ? "two places at one time: average them, or drop all rows of that time but one"
-              : "the times of waypoints must ascend: sort the rows by time");
+      note(i,
+           fmt::format("waypoint {} at {:.6g} s does not come after waypoint {} at {:.6g} s", i + 1,
+                       here.time, i, before.time),
+           here.time == before.time
+               ? "two places at one time: average them, or drop all rows of that time but one"
+               : "the times of waypoints must ascend: sort the rows by time");
   }
 
   void check_pose(const Waypoint& first, const Waypoint& last) {
@@ -173,6 +205,7 @@ private:
   const CaseDocument& document_;
   const Motion& motion_;
   Problems& problems_;
+  std::vector<Mistake> mistakes_; ///< in the order in which they are found
   bool sound_ = true;
 };
 
