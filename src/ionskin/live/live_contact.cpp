@@ -476,14 +476,10 @@ double LiveContact::search(double time_step, const std::array<double, 2>& travel
   // is no bracket.
   if (high_excess > tolerance && low < high) {
     std::uintmax_t most = most_searches;
-    double at = high;
     const auto close = [&](double, double) { return std::abs(missed) <= tolerance; };
     boost::math::tools::toms748_solve(
-        [&](double indentation) {
-          at = indentation;
-          return missed = excess(at);
-        },
-        low, high, low_excess, high_excess, close, most);
+        [&](double indentation) { return missed = excess(indentation); }, low, high, low_excess,
+        high_excess, close, most);
   }
   return std::max(residual, std::abs(missed));
 }

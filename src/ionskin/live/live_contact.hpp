@@ -118,8 +118,6 @@ private:
                                      const State& state) const noexcept;
   bool take_normal(std::span<const std::size_t> touching) noexcept;
   std::span<const std::size_t> find_touching(const State& state) noexcept;
-  // Derivatives, in contact_stiffness.cpp.
-  double leave_residual(std::span<const std::size_t> touching, const State& state) noexcept;
   void add_up(const State& state) noexcept;
   bool correct(const Load& load, State& state) noexcept;
   bool correct_friction(double time_step, const std::array<double, 2>& travel,
@@ -128,6 +126,8 @@ private:
                 State& state) noexcept;
   double search(double time_step, const std::array<double, 2>& travel, const Load& load,
                 State& state) noexcept;
+  // Part of the derivatives, defined in contact_stiffness.cpp.
+  double leave_residual(std::span<const std::size_t> touching, const State& state) noexcept;
 
   const SkinData& data_;
   laws::Friction friction_;
