@@ -12,8 +12,8 @@ namespace ionskin::electrochemistry {
 /// small drive, docs/model.md (34), (35). Each double layer is a capacitor eps/lambda per area, the
 /// core between them a conductor sigma, and the drive of the cations an electromotive force -Omega,
 /// Omega = V_T g/v. Along the skin the charges of top and bottom are cosine waves, each of which
-/// decays exponentially: with alpha the wave number and a = h/2 their sum and difference relax at
-///   (sigma lambda/eps) alpha tanh(alpha a)   and   (sigma lambda/eps) alpha coth(alpha a),
+/// decays exponentially: with alpha the wave number their sum and difference relax at
+///   (sigma lambda/eps) alpha tanh(alpha h/2)   and   (sigma lambda/eps) alpha coth(alpha h/2),
 /// the mean difference at 1/tau_c behind the circuit between the electrodes. The solution is exact
 /// for Omega linear in time over half a step; steps are as long as the tolerance of the case
 /// allows. The error of the limit is of the order of 2 lambda/h (`thin_layer_error`) and of g.

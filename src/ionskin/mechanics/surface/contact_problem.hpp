@@ -19,8 +19,8 @@ using CellVector = std::vector<double>;
 
 struct SliderStep;
 
-/// Contact problem at one position of the slider: finds cell forces f with surface displacement w =
-/// C f such that no cell is penetrated (w >= indentation - gap) or pulled, only touching cells
+/// Contact problem at one position of the slider: finds cell forces f with surface displacement u =
+/// C f such that no cell is penetrated (u >= indentation - gap) or pulled, only touching cells
 /// carry force, docs/model.md (4), and every cell obeys the friction law. With adhesion, touching
 /// cells and cells near the slider may be pulled, docs/model.md (41).
 struct ContactProblem {
