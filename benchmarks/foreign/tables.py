@@ -27,8 +27,8 @@ def equal_accuracy(runs, home="ionskin"):
 
 def markdown(runs):
     """A row for each run."""
-    head = ["code", "setting", "unknowns", "processor time", "peak memory", "largest error", "beside", "time ratio",
-            "memory ratio"]
+    head = ["code", "setting", "unknowns", "processor time", "peak memory", "largest error", "compared with",
+            "time ratio", "memory ratio"]
     rows = [head, ["---"] * len(head)]
     for run in runs:
         worst = max(run["errors"], key=run["errors"].get)
@@ -37,7 +37,6 @@ def markdown(runs):
                error, "", "", ""]
         if "beside" in run:
             below = "below " if run["bound"] else ""
-            row[-3:] = ["none" if run["bound"] else run["beside"],
-                        *(f"{below}{float(f'{run[ratio]:.2g}'):g}" for ratio in ("time_ratio", "memory_ratio"))]
+            row[-3:] = [run["beside"], *(f"{below}{float(f'{run[ratio]:.2g}'):g}" for ratio in ("time_ratio", "memory_ratio"))]
         rows.append(row)
     return "\n".join("| " + " | ".join(row) + " |" for row in rows)
