@@ -99,7 +99,7 @@ std::string scales_of_water(const Case& input) {
   add("consolidation time", fmt::format("{:.4g} s", water.consolidation_time(thickness)),
       "h^2 / (pi^2 c_v), between sealed walls");
   add("streaming over dilution S", fmt::format("{:.4g}", water.streaming_number()),
-      "L_s M / (theta V_T)");
+      "v L_s M / (theta V_T)");
   const auto hold = poroelasticity::holding(input);
   if (hold.time > 0)
     add("water's share of a touch", fmt::format("{:.4g}", hold.number),

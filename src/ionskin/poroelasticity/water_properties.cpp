@@ -23,7 +23,7 @@ double WaterProperties::consolidation_time(double thickness) const {
 }
 
 double WaterProperties::streaming_number() const {
-  return streaming_coefficient * drained_modulus / (dilution * thermal_voltage);
+  return valence * streaming_coefficient * drained_modulus / (dilution * thermal_voltage);
 }
 
 WaterProperties derive_water_properties(const Case& input) {
@@ -41,6 +41,7 @@ WaterProperties derive_water_properties(const Case& input) {
       input.water.dilution == WaterDilution::mixture ? 1.0 : 1.0 / input.water.volume_fraction;
   water.skempton_coefficient = water.storage_modulus / bulk_modulus(core);
   water.thermal_voltage = gas_constant * input.electrochemistry.temperature / faraday;
+  water.valence = input.electrochemistry.valence;
   water.held_share = input.strain.compression == 0
                          ? 0.0
                          : water.storage_modulus / (water.drained_modulus + water.storage_modulus);

@@ -17,6 +17,7 @@ struct WaterProperties {
   double dilution = 0;             ///< theta, relative dilution of the cations per swelling [1]
   double skempton_coefficient = 0; ///< B = M_B/K_u [1]
   double thermal_voltage = 0;      ///< V_T = R T/F [V]
+  int valence = 1;                 ///< v of the cations [1]
   /// Share of the mean of P that adds to p_u while a compression is held, M_B/(M + M_B) [1]; 0 if
   /// none is held.
   double held_share = 0;
@@ -24,7 +25,7 @@ struct WaterProperties {
   /// Slowest decay time of a pressure difference between sealed walls, tau_p = h^2/(pi^2 c_v) [s].
   /// @param thickness h of the core [m]
   double consolidation_time(double thickness) const;
-  /// Ratio of streaming to dilution, S = L_s M/(theta V_T) [1].
+  /// Ratio of streaming to dilution, S = v L_s M/(theta V_T) by docs/model.md (23) [1].
   double streaming_number() const;
 };
 

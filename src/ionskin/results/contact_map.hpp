@@ -12,7 +12,7 @@ struct ContactMap {
   /// Name of the state: "touchdown_03", "onset_07", "steady_4" or "lift_off_12", numbered in order;
   /// "2_steady_4" in the second slide.
   std::string state;
-  double parameter = 0; ///< time in the first cycle at which the slider passes the state [s]
+  double time = 0; ///< time in the first cycle at which the slider passes the state [s]
   /// Normal traction (compression positive) and tangential tractions of the slider on the skin
   /// [Pa].
   std::vector<double> pressure, shear_x, shear_y;

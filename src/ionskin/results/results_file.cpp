@@ -94,7 +94,7 @@ void ResultsFile::write_contact(const ContactMaps& contact, const std::string& s
     file_.write_with_unit(group + "/slip", map.slip, "m", shape);
     file_.write_with_unit(group + "/slip_state", map.slip_state, "1", shape);
     file_.write_with_unit(group + "/slip_since_landing", map.slip_since_landing, "m", shape);
-    file_.set_attribute(group, "parameter", map.parameter);
+    file_.set_attribute(group, "parameter", map.time);
   }
 }
 

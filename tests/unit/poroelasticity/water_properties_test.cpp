@@ -26,6 +26,10 @@ TEST(WaterProperties, AreThoseOfTheReference) {
   EXPECT_NEAR(water.streaming_coefficient, 4.6818e-10, 1e-14);
   EXPECT_NEAR(water.thermal_voltage, 0.0252617, 1e-7);
   EXPECT_NEAR(water.streaming_number(), 7.22794, 1e-4);
+  // L_s is half as large for twice the valence, and S does not change.
+  Case divalent = wet_case();
+  divalent.electrochemistry.valence = 2;
+  EXPECT_NEAR(derive_water_properties(divalent).streaming_number(), 7.22794, 1e-4);
   EXPECT_NEAR(water.consolidation_coefficient, 2e-19 / (1 / 3.9e8 + 1 / water.storage_modulus),
               1e-20);
   EXPECT_NEAR(water.skempton_coefficient, 1 - (3.9e8 - 4.0 / 3 * 249e6 / 2.98) / (249e6 / 0.06),

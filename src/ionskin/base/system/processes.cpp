@@ -35,8 +35,14 @@ pid_t start_program(std::vector<std::string> words, const ProcessOutputs& output
 }
 
 int wait_for_end(pid_t process) {
+  constexpr int unknown = 127;
   int status = 0;
-  while (waitpid(process, &status, 0) < 0 && errno == EINTR) {
+  pid_t ended = -1;
+  do {
+    ended = waitpid(process, &status, 0);
+  } while (ended < 0 && errno == EINTR);
+  if (ended < 0) { // no child, or someone else has waited for it
+    return unknown;
   }
   return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
 }

@@ -25,7 +25,8 @@ struct ProcessOutputs {
 pid_t start_program(std::vector<std::string> words, const ProcessOutputs& outputs = {});
 
 /// Waits until a child of this process has ended.
-/// @return exit status of the child, or minus the number of the signal that ended it
+/// @return exit status of the child, or minus the number of the signal that ended it; 127 if the
+/// process is not a child, or has been waited for already
 int wait_for_end(pid_t process);
 
 } // namespace ionskin::base

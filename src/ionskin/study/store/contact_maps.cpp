@@ -115,7 +115,7 @@ results::ContactMaps make_contact_maps(const std::vector<MotionLeg>& legs,
   std::vector<results::ContactMap> maps = make_maps(legs, contact);
   std::vector<double> instants;
   for (const results::ContactMap& map : maps) {
-    instants.push_back(map.parameter);
+    instants.push_back(map.time);
   }
   auto slip = handover::slip_since_landing(timeline, contact, instants);
   for (std::size_t i = 0; i < maps.size(); ++i) {

@@ -25,6 +25,9 @@ std::string read_all(int descriptor) {
 TEST(Processes, EndTellsStatusOrSignal) {
   EXPECT_EQ(wait_for_end(start_program({"/bin/sh", "-c", "exit 7"})), 7);
   EXPECT_EQ(wait_for_end(start_program({"/bin/sh", "-c", "kill -TERM $$"})), -SIGTERM);
+  const pid_t ended = start_program({"/bin/sh", "-c", "exit 0"});
+  EXPECT_EQ(wait_for_end(ended), 0);
+  EXPECT_EQ(wait_for_end(ended), 127); // no success that nobody has seen
 }
 
 TEST(Processes, OutputAndErrorsGoWhereTheyAreSent) {
