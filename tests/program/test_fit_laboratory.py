@@ -31,6 +31,11 @@ class LaboratoryData(ProgramTest):
         with open(truth / "sampled.csv", encoding="utf-8") as table:
             column = [title.split()[0] for title in table.readline().split(",")].index("current_difference")
             cls.time, cls.current = numpy.loadtxt(table, delimiter=",", usecols=(0, column), unpack=True)
+        with open(truth / "signals.csv", encoding="utf-8") as table:
+            titles = [title.split()[0] for title in table.readline().split(",")]
+            columns = [titles.index(name) for name in ("time", "charge_top", "charge_bottom")]
+            rows, top, bottom = numpy.loadtxt(table, delimiter=",", usecols=columns, unpack=True)
+        cls.charge_at = staticmethod(lambda time: numpy.interp(time, rows, (top - bottom) / 2))
         cls.edits = (*cls.edits, "--set", "strain.source=file", "--set", f"strain.file={truth / 'results.h5'}")
         cls.size = numpy.abs(cls.current).max()
         cls.noise = numpy.random.default_rng(1).normal(0, 0.005 * cls.size, len(cls.time))
@@ -45,6 +50,11 @@ class LaboratoryData(ProgramTest):
         process = self.run_program("fit", QUICK, *self.edits, "--set", f"{K}=0.12", "--data", data, "--free",
                                    ",".join(free or (K,)), "-o", "out", "--overwrite", "--threads", "1", expect=expect)
         return process.stderr if expect else json.loads((self.folder / "out" / "fit.json").read_text())
+
+    def by_own_clock(self, late):
+        """Mean currents over the intervals of a clock that is late."""
+        charge = self.charge_at(numpy.concatenate([[self.time[0] - 0.01], self.time]) - late)
+        return numpy.diff(charge) / 0.01 + self.noise
 
     def assert_holds(self, fit, key, value):
         one = fit["parameters"][key]
@@ -81,6 +91,12 @@ class LaboratoryData(ProgramTest):
                     self.assert_holds(fit, key, value)
                 self.assertLess(abs(fit["parameters"][K]["value"] / TRUTH - 1), 0.02)
                 self.assertLessEqual(fit["ion_transport_solves"], 10 * clean["ion_transport_solves"])
+        # A clock of its own: a pulse that is shorter than a row fits alike over a part of the row.
+        for late in (0.0164, -0.0031):
+            with self.subTest("by a clock of its own", late=late):
+                fit = self.fit(self.data(self.time[3:-3], self.by_own_clock(late)[3:-3]), K, SHIFT)
+                self.assert_holds(fit, SHIFT, late)
+                self.assert_holds(fit, K, TRUTH)
         turned = self.fit(self.data(self.time, -noisy * TRUTH / 0.12), GAIN)
         self.assertLess(turned["parameters"][GAIN]["value"], 0)
         self.assert_warns(turned, "electrodes are swapped")
@@ -91,6 +107,8 @@ class LaboratoryData(ProgramTest):
         records = {
             "swapped": (self.time, -noisy, "correlate with minus the model"),
             "swapped and late": (self.time[:-5] + 0.05, -noisy[:-5], "correlate with minus the model"),
+            "swapped, the shift being free": (self.time[3:-3], -self.by_own_clock(0.0164)[3:-3],
+                                              "correlate with minus the model", SHIFT),
             "zero": (self.time, 0 * noisy, "the data hold no signal"),
             "constant": (self.time, 0 * noisy + 3.5e-5, "the data are constant"),
             "twice": (twice, numpy.insert(noisy, 60, 0), "appears twice"),
@@ -101,9 +119,9 @@ class LaboratoryData(ProgramTest):
             "in TA": (self.time, 1e-12 * noisy, "check the unit in the header"),
             "in nA": (self.time, 1e3 * noisy, "check the unit in the header"),
         }
-        for name, (time, values, words) in records.items():
+        for name, (time, values, words, *free) in records.items():
             with self.subTest(name):
-                message = self.fit(self.data(time, values), expect=2)
+                message = self.fit(self.data(time, values), K, *free, expect=2)
                 self.assertIn(words, message)
                 self.assertFalse((self.folder / "out" / "fit.json").exists())
         self.run_program("fit", QUICK, *self.edits, "--data", self.data(self.time, noisy), "--free", K, "-o", "out")

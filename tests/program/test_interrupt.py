@@ -113,6 +113,12 @@ mobility = "5e-17 m2/(Pa s)"
         self.assertGreater(mechanics["normal_force"].max(), 50)
         self.run_case(*SMALL, "-o", "out", "--only", "electrochemistry")
         numpy.testing.assert_array_equal(signals(self.folder / "out")["current_top"], self.undisturbed()["current_top"])
+        # Study 1 is never removed before it is read.
+        self.run_case(*SMALL, "-o", "out", "--only", "electrochemistry", "--overwrite", "--set", "coupling.coefficient=0.05")
+        numpy.testing.assert_allclose(signals(self.folder / "out")["current_top"], self.undisturbed()["current_top"] / 2,
+                                      rtol=0.01, atol=1e-3 * numpy.abs(self.undisturbed()["current_top"]).max())
+        self.run_case(*SMALL, "-o", "out", "--only", "electrochemistry", "--overwrite")
+        numpy.testing.assert_array_equal(signals(self.folder / "out")["current_top"], self.undisturbed()["current_top"])
 
     def test_solver_that_gives_up_keeps_the_mechanics(self):
         """A fixed charge below zero that only Study 1 reveals: exit 3, the strain is kept."""

@@ -28,7 +28,7 @@ constexpr const char* exit_codes =
     "Exit codes: 0 success, 2 the case or command line is wrong, 3 a solver gave up (what was\n"
     "finished is kept; in a sweep: every point failed), 4 points of a sweep in parts are still to\n"
     "be solved, or the report could not be made, 5 the scheduler of a cluster is lost (finish\n"
-    "with --resume), 130 interrupted (finish with --resume).";
+    "with --resume), 130 interrupted (finish with --resume where the command has this option).";
 
 void add_init(CLI::App& app, Command& command) {
   auto options = std::make_shared<InitOptions>();

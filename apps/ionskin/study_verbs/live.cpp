@@ -16,6 +16,7 @@
 
 #include <fmt/core.h>
 
+#include <cmath>
 #include <filesystem>
 #include <map>
 #include <numbers>
@@ -125,8 +126,27 @@ Case case_of_slider(const Case& input, std::optional<int> number) {
   return sliders[static_cast<std::size_t>(*number - 1)];
 }
 
-void print_errors(const ionskin::live::SkinData& data) {
-  fmt::print("errors on unseen touches, of the largest value:\n");
+/// Prints the range of motion within which the skin was trained.
+void print_range(const ionskin::live::SkinData& data) {
+  const auto range = [](double low, double high) {
+    return low == high ? fmt::format("{:.4g} mm alone", low * 1e3)
+                       : fmt::format("{:.4g} to {:.4g} mm", low * 1e3, high * 1e3);
+  };
+  fmt::print("trained for x {}, y {}, up to {:.3g} N, {:.3g} um deep, {:.3g} mm/s\n",
+             range(data.lowest_place[0], data.highest_place[0]),
+             range(data.lowest_place[1], data.highest_place[1]), data.heaviest_force,
+             data.deepest_indentation * 1e6, data.fastest * 1e3);
+}
+
+/// @param touches number of unseen touches
+void print_errors(const ionskin::live::SkinData& data, std::size_t touches) {
+  // The largest error of n touches is exceeded by at most a share s of all touches with the
+  // confidence 1 - (1 - s)^n (Wilks 1941, doi 10.1214/aoms/1177731788).
+  constexpr double share = 0.05, few = 0.9;
+  const double confidence = 1 - std::pow(1 - share, static_cast<double>(touches));
+  fmt::print("errors on {} unseen touches, of the largest value; they hold for 95 % of all touches "
+             "with a confidence of {:.0f} %{}:\n",
+             touches, 100 * confidence, confidence < few ? " (--validation 45 gives 90 %)" : "");
   std::map<std::string, std::map<std::string, double>> by_event; // rms in per cent, by signal
   for (const ionskin::live::SignalError& error : data.errors) {
     if (error.largest > 0 && error.event.empty()) {
@@ -190,7 +210,8 @@ int live(const LiveOptions& options, const std::string& command) {
     return static_cast<int>(ExitCode::interrupted);
   }
   if (options.log != LogFormat::quiet) {
-    print_errors(data);
+    print_range(data);
+    print_errors(data, options.validation);
   }
   write_files(options, data);
   return static_cast<int>(ExitCode::success);

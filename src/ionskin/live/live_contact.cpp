@@ -33,7 +33,9 @@ constexpr double searched = 1e-4;
 /// Largest numbers of doublings that bracket the indentation, and of iterations of the search.
 constexpr int most_doublings = 30, most_searches = 60;
 /// Relative distance of a traction from its limit below which the cell counts as slipping [1].
-constexpr double slipping = 1e-9;
+/// Under a slider that rests after sliding, tractions stay at their limit as exactly as the steps
+/// are solved.
+constexpr double slipping = 1e-3;
 
 /// Number of values of a cell in the memory of a law with elastic slip: slip along x and y [m],
 /// limit traction [Pa].

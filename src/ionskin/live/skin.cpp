@@ -36,9 +36,22 @@ enum : std::size_t {
 
 constexpr double rough = 1e-3;  // residual
 constexpr double margin = 1e-2; // of what follows from a place and a load within the trained range
-constexpr double rounding = 1e-9;      // of a place [m]
+constexpr double turn_rounding = 1e-9; // [rad]
 constexpr double load_rounding = 1e-6; // of a load over the trained one
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+/// Distance from the trained positions that does not count: a small share of the smallest contact
+/// cell, because no real slider follows a trained line exactly [m].
+double place_tolerance(const SkinData& data) {
+  constexpr double share = 0.05;
+  double smallest = std::numeric_limits<double>::infinity();
+  for (const std::vector<double>* lines : {&data.cell_lines_x, &data.cell_lines_y}) {
+    for (std::size_t i = 1; i < lines->size(); ++i) {
+      smallest = std::min(smallest, (*lines)[i] - (*lines)[i - 1]);
+    }
+  }
+  return share * smallest;
+}
 
 /// True of motions across the plane of symmetry of a half skin, which knows what is alike on both
 /// halves.
@@ -49,7 +62,8 @@ bool across(std::size_t motion) {
 } // namespace
 
 Skin::Skin(const SkinData& data)
-    : data_(data), contact_(data), regions_(1 + data.taxels.size()), spread_(data) {
+    : data_(data), place_tolerance_(place_tolerance(data)), contact_(data),
+      regions_(1 + data.taxels.size()), spread_(data) {
   names_ = {"slider_x",           "slider_y",           "slider_z",
             "normal_force",       "tangential_force",   "tangential_force_x",
             "tangential_force_y", "contact_area",       "stick_share",
@@ -200,15 +214,14 @@ Skin::Pressed Skin::press(double time, const std::array<double, 2>& place, const
   std::array<double, 2> travel{};
   for (std::size_t d = 0; d < 2; ++d) {
     at[d] = std::clamp(place[d], data_.lowest_place[d], data_.highest_place[d]);
-    outside = outside || std::abs(at[d] - place[d]) > rounding;
+    outside = outside || std::abs(at[d] - place[d]) > place_tolerance_;
     travel[d] = first ? 0 : at[d] - state_[last_x + d];
   }
   bool outside_pose = false;
   const LiveContact::Stance stands = stance(angles, first, outside_pose);
   const bool fast =
       std::hypot(travel[0], travel[1]) > (1 + margin) * data_.fastest * pressed.time_step + 1e-9 ||
-      std::abs(stands.turn) > (1 + margin) * data_.fastest_turn * pressed.time_step + rounding;
-  const bool touched = state_[started] != 0 && state_[signals_ + normal_force] > 0;
+      std::abs(stands.turn) > (1 + margin) * data_.fastest_turn * pressed.time_step + turn_rounding;
   state_[started] = 1;
   state_[last_time] = time;
   state_[last_x] = at[0];
@@ -231,7 +244,8 @@ Skin::Pressed Skin::press(double time, const std::array<double, 2>& place, const
   const bool touches = pressed.touches = signals[normal_force] > 0;
   flags |= touches && outside ? flag::outside_place : 0;
   flags |= touches && outside_pose ? flag::outside_pose : 0;
-  flags |= touches && touched && fast ? flag::outside_speed : 0;
+  // In a landing, too: the way to it counts as slip, however far it is.
+  flags |= touches && fast ? flag::outside_speed : 0;
   // A height within the range may press heavier than trained elsewhere; a force is met.
   const bool heavy = (is_force ? value : -value) > (1 + load_rounding) * trained ||
                      (!is_force && signals[normal_force] > (1 + margin) * data_.heaviest_force);

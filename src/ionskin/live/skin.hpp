@@ -175,6 +175,7 @@ private:
   void set_charge_slopes(const ChannelField& field, std::size_t motion) noexcept;
 
   const SkinData& data_;
+  double place_tolerance_; ///< distance from the trained positions that does not count [m]
   LiveContact contact_;
   std::vector<std::string> names_;
   std::vector<double> state_;

@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <set>
 #include <utility>
@@ -81,6 +82,14 @@ std::string quoted_list(const std::set<std::string>& names) {
   return list;
 }
 
+/// A name as a key of TOML, in quotation marks unless it is a bare key.
+std::string toml_key(const std::string& name) {
+  const bool bare = !name.empty() && std::ranges::all_of(name, [](char letter) {
+    return std::isalnum(static_cast<unsigned char>(letter)) != 0 || letter == '_' || letter == '-';
+  });
+  return bare ? name : fmt::format("\"{}\"", name);
+}
+
 void report_unknown(const std::string& name, const std::vector<Pointer>& where,
                     const TomlWalk& walk, const std::vector<std::string>& presets,
                     Problems& problems) {
@@ -95,7 +104,7 @@ void report_unknown(const std::string& name, const std::vector<Pointer>& where,
   const std::string hint = nearest.empty() ? "" : fmt::format("did you mean \"{}\"? ", nearest);
   problems.add(fmt::format("unknown material \"{}\"", base::shown(name)), where,
                fmt::format("{}known: {}; or define it in a section [materials.{}]", hint,
-                           quoted_list(known), base::shown(name)));
+                           quoted_list(known), toml_key(base::shown(name))));
 }
 
 std::vector<Pointer> place_of_layer_material(const TomlWalk& walk, std::size_t layer) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/finite_layers/faces/face_modes.hpp"
 
+#include "ionskin/base/system/interrupt.hpp"
+
 #include <Eigen/Cholesky>
 
 #include <cmath>
@@ -41,6 +43,7 @@ FaceLoads face_loads(const ThicknessColumn& column, const PlaneMode& mode, Face 
 } // namespace
 
 Eigen::MatrixXd face_stiffness(const ThicknessColumn& column, const PlaneMode& mode, Face face) {
+  base::check_interrupt(); // a skin with thin layers needs many of these modes
   const double k = Direction(mode).k;
   const FaceLoads loads = face_loads(column, mode, face);
   const Eigen::LLT<Eigen::MatrixXd> plane(column.plane_strain(k)), antiplane(column.antiplane(k));
@@ -51,6 +54,7 @@ Eigen::MatrixXd face_stiffness(const ThicknessColumn& column, const PlaneMode& m
 }
 
 FaceTerms face_terms(const ThicknessColumn& column, const PlaneMode& mode, Face face) {
+  base::check_interrupt();
   const Direction at(mode);
   const Eigen::Index n = column.nodes();
   const FaceLoads loads = face_loads(column, mode, face);

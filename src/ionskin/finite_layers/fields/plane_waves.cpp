@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/finite_layers/fields/plane_waves.hpp"
 
+#include "ionskin/base/system/interrupt.hpp"
 #include "ionskin/finite_layers/fields/row_strains.hpp"
 
 #include <algorithm>
@@ -119,6 +120,7 @@ void PlaneWaves::add(const DepthTable& table, std::size_t level, const FieldComp
                                      count * components.count(kind));
       }
     }
+    base::check_interrupt();
     for (Eigen::Index first_m = 0; modes_below(last, first_n) > first_m; first_m += block_x) {
       add_block(table, level, first_m, first_n, components, loads, places, along_x);
     }
@@ -147,6 +149,7 @@ void PlaneWaves::add(const RowStrains& known, const DepthTable& table, std::size
   std::vector<ByKind> rows(loads.size());
   for (Eigen::Index first_m = 0; modes_below(table.cutoff(level), 0) > first_m;
        first_m += block_x) {
+    base::check_interrupt();
     known.at(level, first_m, loads, rows);
     for (std::size_t state = 0; state < loads.size(); ++state) {
       const ModeTransform& along_x = places[state].along_x;

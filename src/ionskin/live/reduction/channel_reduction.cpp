@@ -20,6 +20,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <mutex>
 #include <string>
 #include <utility>
@@ -170,7 +171,7 @@ std::vector<ChannelSamples> recovered(const std::vector<std::vector<double>>& sa
                                       const std::vector<MeasureRows>& rows,
                                       const mechanics::StrainRecovery& recovery,
                                       const handover::FieldProjection& projection, int threads,
-                                      const base::ProgressCallback& progress) {
+                                      const std::function<void(double)>& progress) {
   std::vector<ChannelSamples> result(rows.size());
   const history::StrainGrid& grid = projection.grid();
   std::mutex one_by_one;
@@ -214,8 +215,7 @@ std::vector<ChannelSamples> recovered(const std::vector<std::vector<double>>& sa
         }
         const std::lock_guard lock(one_by_one);
         done += count;
-        progress("strain of the contact",
-                 static_cast<double>(done) / static_cast<double>(samples.size()));
+        progress(static_cast<double>(done) / static_cast<double>(samples.size()));
       });
   return result;
 }
@@ -228,6 +228,24 @@ void ride_alone(const ChannelMeasure& measure, ChannelSamples& samples) {
       samples.fields.row(row).setZero();
     }
   }
+}
+
+/// Nodes of the positions whose fits are solved; the fits of their mirror images are mirrored.
+std::vector<std::size_t> nodes_to_solve(const PlaceNodes& places, const SkinData& data,
+                                        const Reflections& reflections) {
+  const std::array<std::size_t, 3> nodes{places.x.size(), places.y.size(), 1};
+  const std::size_t images = are_mirrored(places, data) ? reflections.count() : 1;
+  std::vector<std::size_t> result;
+  for (std::size_t node = 0; node < nodes[0] * nodes[1]; ++node) {
+    bool first = true;
+    for (std::size_t g = 1; g < images; ++g) {
+      first = first && reflections.image(g, node, nodes) >= node;
+    }
+    if (first) {
+      result.push_back(node);
+    }
+  }
+  return result;
 }
 
 Matrix values_at(const ChannelSamples& samples, const std::vector<std::size_t>& points) {
@@ -259,7 +277,8 @@ std::vector<ChannelMap> reduce_channels(const Case& input, const SkinData& data,
   const std::array<double, 2> middle{(places.x.front() + places.x.back()) / 2,
                                      (places.y.front() + places.y.back()) / 2};
   std::vector<ChannelSamples> of_channels =
-      recovered(samples, middle, rows, recovery, projection, threads, progress);
+      recovered(samples, middle, rows, recovery, projection, threads,
+                [&](double fraction) { progress("strain of the contact", fraction); });
   ChannelMeasure measure;
   measure.point_weight = point_weights(model->mesh, middle, of_channels.front().points);
   const double thickness = input.skin.thickness();
@@ -291,35 +310,28 @@ std::vector<ChannelMap> reduce_channels(const Case& input, const SkinData& data,
         static_cast<double>(measured(of_channels[c].fields, measure).norm()) *
         std::sqrt(static_cast<double>(samples_at_node) / static_cast<double>(samples.size())));
     ride_alone(measure, of_channels[c]);
+    const double done = static_cast<double>(c) / static_cast<double>(channels.size());
+    progress("modes of the strain", done);
     bases.push_back(channel_basis(std::exchange(of_channels[c], {}), measure, reflections));
     append(map.field, bases.back().field.transpose());
     wanted.push_back({rows[c], bases.back().points});
   }
-  // At the nodes, of which mirror images have mirrored fits.
   const std::array<std::size_t, 3> nodes{places.x.size(), places.y.size(), 1};
   const std::vector<std::vector<double>> fewer(
       samples.begin(),
       samples.begin() + static_cast<std::ptrdiff_t>(std::min(samples.size(), samples_at_node)));
   const bool mirror_places = are_mirrored(places, data);
-  const auto is_image = [&](std::size_t node) {
-    for (std::size_t g = 1; mirror_places && g < reflections.count(); ++g) {
-      if (reflections.image(g, node, nodes) < node) {
-        return true;
-      }
-    }
-    return false;
-  };
-  std::vector<std::size_t> solved;
+  const std::vector<std::size_t> solved = nodes_to_solve(places, data, reflections);
   std::vector<std::vector<Matrix>> riding(channels.size());
   std::vector<std::vector<LeftAtPlace>> left(channels.size());
-  for (std::size_t node = 0; node < nodes[0] * nodes[1]; ++node) {
-    if (is_image(node)) {
-      continue;
-    }
-    solved.push_back(node);
-    const std::array<double, 2> place{places.x[node % nodes[0]], places.y[node / nodes[0]]};
+  for (std::size_t i = 0; i < solved.size(); ++i) {
+    const std::array<double, 2> place{places.x[solved[i] % nodes[0]],
+                                      places.y[solved[i] / nodes[0]]};
     std::vector<ChannelSamples> own =
-        recovered(fewer, place, rows, recovery, projection, threads, progress);
+        recovered(fewer, place, rows, recovery, projection, threads, [&](double fraction) {
+          progress("strain at the positions",
+                   (static_cast<double>(i) + fraction) / static_cast<double>(solved.size()));
+        });
     measure.cell_area = areas_within(grid, place, extent, zones);
     for (std::size_t c = 0; c < channels.size(); ++c) {
       measure.levels = measure_of(c);

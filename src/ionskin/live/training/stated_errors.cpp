@@ -39,6 +39,21 @@ double friction_of_run(const SkinData& data, std::uint64_t seed) {
   return std::lerp(data.lowest_friction, data.highest_friction, share);
 }
 
+/// Progress of a run of the full model as a part of the touches, from `first` to `first + share`.
+base::ProgressCallback part_of_touches(const base::ProgressCallback& progress, double first,
+                                       double share) {
+  return [&progress, first, share, most = 0.0](std::string_view activity, double fraction) mutable {
+    constexpr double mechanics = 0.4, history = 0.4; // rough shares of the time
+    const double done = activity == "mechanics"        ? mechanics * fraction
+                        : activity == "strain history" ? mechanics + history * fraction
+                        : activity == "ion transport"
+                            ? mechanics + history + (1 - mechanics - history) * fraction
+                            : 0;
+    most = std::max(most, done);
+    progress("touches", first + share * most);
+  };
+}
+
 } // namespace
 
 std::vector<TouchErrors> errors_on_touches(const SkinData& data, const Case& input,
@@ -50,8 +65,10 @@ std::vector<TouchErrors> errors_on_touches(const SkinData& data, const Case& inp
   for (std::size_t begun = 0; begun < count; begun += touches_together) {
     const std::size_t together = std::min(touches_together, count - begun);
     TrainingOptions own = options;
-    own.progress = base::no_progress;
-    options.progress("touches", static_cast<double>(begun) / static_cast<double>(count));
+    const double first = static_cast<double>(begun) / static_cast<double>(count);
+    own.progress = part_of_touches(options.progress, first,
+                                   static_cast<double>(together) / static_cast<double>(count));
+    options.progress("touches", first);
     Case own_input = input;
     if (data.lowest_friction < data.highest_friction) {
       own_input.contact.friction = friction_of_run(data, seed);

@@ -327,7 +327,6 @@ SkinData train_skin(const Case& input, const TrainingOptions& options) {
   const std::vector<FullRun> runs = training_runs(input, range, data, own);
   const FullRun& run = runs.front();
   {
-    own.progress("places", 0.0);
     const auto model = std::make_shared<const mechanics::SkinModel>(
         run.input, run.contact.mesh.footprint(), range.box);
     const PlaceNodes places = place_nodes(run.input.skin, range.box);
@@ -341,7 +340,6 @@ SkinData train_skin(const Case& input, const TrainingOptions& options) {
     data.channels = reduce_channels(run.input, data, model, places,
                                     contact_samples(data, range, sampled_states, options.seed),
                                     options.threads, channels, own.progress);
-    own.progress("places", 1.0);
   }
 
   own.progress = part_of(options.progress, "validation");

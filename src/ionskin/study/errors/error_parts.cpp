@@ -76,14 +76,16 @@ double relative_norm(const PairDifference& difference, const std::string& signal
   return 0;
 }
 
-bool is_electrical(const std::string& unit) {
-  return unit == "A" || unit == "C" || unit == "V";
+/// True of currents, charges and voltages, and of a current over a known noise.
+bool is_electrical(const std::string& name, const std::string& unit) {
+  return unit == "A" || unit == "C" || unit == "V" ||
+         name.find("signal_to_noise") != std::string::npos;
 }
 
 /// True if the quantity is made by water pressure under a law that moves water: currents, charges,
 /// voltages and pressures.
 bool is_of_water(const std::string& name, const std::string& unit) {
-  return is_electrical(unit) || unit == "V/N" ||
+  return is_electrical(name, unit) || unit == "V/N" ||
          name.find("pressure_difference") != std::string::npos ||
          name.find("pore_pressure") != std::string::npos || name == "pressure_asymmetry";
 }
@@ -117,7 +119,7 @@ public:
     if (floors_.decoupling > 0 && is_of_water(metric.name, metric.unit)) {
       result[error_parts::decoupling] = floors_.decoupling * std::abs(metric.value);
     }
-    if (floors_.thin_layers > 0 && is_electrical(metric.unit)) {
+    if (floors_.thin_layers > 0 && is_electrical(metric.name, metric.unit)) {
       result[error_parts::thin_layers] = floors_.thin_layers * std::abs(metric.value);
     }
     if (const double left = rounding(metric); left > 0) {
@@ -237,7 +239,7 @@ void take_imposed(const std::vector<Signal>& imposed, SignalTable& bands) {
 
 double relative_floor(const ErrorFloors& floors, const std::string& name, const std::string& unit) {
   return (is_of_water(name, unit) ? floors.decoupling : 0.0) +
-         (is_electrical(unit) ? floors.thin_layers : 0.0);
+         (is_electrical(name, unit) ? floors.thin_layers : 0.0);
 }
 
 double safety(const std::string& part, const std::string& quantity) {

@@ -15,13 +15,11 @@ namespace {
 
 /// Signals related to metrics: a metric whose name contains the first text is related to the signal
 /// of the second; the first match counts.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 31> signal_of{{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 30> signal_of{{
     {"slip_time", "stick_share"},
     {"slip_lead", "stick_share"},
     {"slip_force_ratio", "stick_share"},
     {"precursor_lead_time", "stick_share"},
-    {"signal_to_noise_difference", "current_difference"},
-    {"signal_to_noise_common", "current_common"},
     {"open_circuit_voltage", "open_circuit_voltage"},
     {"streaming_voltage", "streaming_voltage"},
     {"dilution_voltage", "dilution_voltage"},
@@ -34,6 +32,7 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 31> signal_o
     {"current_bottom", "current_bottom"},
     {"current_difference", "current_difference"},
     {"current_common", "current_common"},
+    {"signal_to_noise", "current_difference"},
     {"amplifier", "current_difference"},
     {"charge_difference", "charge_top"},
     {"charge_top", "charge_top"},

@@ -16,6 +16,7 @@ namespace {
 constexpr double alike = 0.5;    // correlation above which two signals have the same shape
 constexpr double clearly = 0.1;  // difference by which one correlation is better than another
 constexpr double hopeless = 0.3; // correlation below which a fit drives amplitudes to 0
+constexpr double nearer = 0.5;   // ratio below which one time shift is much smaller than another
 constexpr double sure = 0.8;     // correlation of a shifted signal above which the shift is sure
 constexpr double other_size = 5; // ratio of the sizes of data and start's signal that is warned of
 constexpr double too_large = 30; // ratio of sizes that no search bridges in reasonable time
@@ -28,24 +29,29 @@ bool frees_motion(const FitModel& model) {
                              [](const auto& one) { return one.key.starts_with("motion."); });
 }
 
+/// @param correlation of the data with the model, as the clock of the data says
 void require_kept_sign(const Alignment& kept, const Alignment& turned, double correlation) {
   // Where landing and leaving of a touch give signals of the same shape and opposite sign, a shift
-  // reverses the sign of the correlation, too. The smaller shift is more likely then.
+  // reverses the sign of the correlation, too. The much smaller shift is more likely then.
   const bool in_place = correlation < -alike && -correlation > kept.correlation - clearly;
+  const bool near = std::abs(turned.time_shift) < nearer * std::abs(kept.time_shift);
   const bool late = turned.correlation < -alike && correlation < alike &&
                     (-turned.correlation > kept.correlation + clearly ||
-                     (-turned.correlation > kept.correlation &&
-                      std::abs(turned.time_shift) < std::abs(kept.time_shift)));
+                     (-turned.correlation > kept.correlation - clearly && near));
   if (in_place || late) {
     throw UserError(fmt::format(
         "the data correlate with minus the model ({:.2f}{})\n  = the electrodes are swapped, or "
         "the "
         "amplifier inverts: turn the sign of the column, start from the other sign of "
-        "coupling.coefficient, or free data.gain",
+        "coupling.coefficient, or free data.gain{}",
         in_place ? correlation : turned.correlation,
-        in_place
-            ? ""
-            : fmt::format(" when their clock is taken to be {:.4g} s late", turned.time_shift)));
+        in_place ? ""
+                 : fmt::format(" when their clock is taken to be {:.4g} s late", turned.time_shift),
+        kept.correlation > alike
+            ? fmt::format(
+                  "; or their clock is {:.4g} s late ({:.2f}): subtract that from the times",
+                  kept.time_shift, kept.correlation)
+            : ""));
   }
 }
 
@@ -113,7 +119,8 @@ std::vector<std::string> compare_with_start(const FitModel& model, const FitData
   const Alignment kept = best_alignment(data, start, Sign::kept);
   std::vector<std::string> warnings;
   if (!model.frees("data.gain")) {
-    require_kept_sign(kept, best_alignment(data, start, Sign::free), r);
+    require_kept_sign(kept, best_alignment(data, start, Sign::free),
+                      correlation(data.values, predict_shifted(data, start, 0)));
     if (size > other_size * start_size || other_size * size < start_size) {
       const std::string text = fmt::format(
           "the data are {:.3g} times the size of the start's signal ({:.3g} {} and {:.3g} {} rms "

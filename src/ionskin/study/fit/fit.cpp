@@ -8,12 +8,14 @@
 #include "ionskin/study/fit/misfit.hpp"
 #include "ionskin/study/fit/misfit_explanation.hpp"
 
+#include <Eigen/QR>
 #include <ceres/iteration_callback.h>
 #include <ceres/problem.h>
 #include <ceres/solver.h>
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -161,6 +163,55 @@ FittedParameter fitted(const FitParameter& parameter, double value, double scale
   return {parameter, value, std::min(near, far), std::max(near, far), held};
 }
 
+/// Sum of the squares of the residuals at a point, with the best values of all parameters but one
+/// by linear theory; infinite where there is no solution.
+double squares_but_for(const Misfit& misfit, const FitData& data, const std::vector<double>& at,
+                       std::size_t fixed) {
+  const auto values = misfit.fitted(at);
+  const auto jacobian = misfit.derivatives(at);
+  if (!values || !jacobian) {
+    return std::numeric_limits<double>::infinity();
+  }
+  const auto rows = static_cast<Eigen::Index>(data.values.size());
+  const auto column = [rows](const std::vector<double>& one) {
+    return Eigen::Map<const Eigen::VectorXd>(one.data(), rows);
+  };
+  Eigen::VectorXd residuals = column(data.values) - column(*values);
+  Eigen::MatrixXd others(rows, static_cast<Eigen::Index>(jacobian->size()) - 1);
+  for (std::size_t i = 0, next = 0; i < jacobian->size(); ++i) {
+    if (i != fixed) {
+      others.col(static_cast<Eigen::Index>(next++)) = column((*jacobian)[i]);
+    }
+  }
+  if (others.cols() > 0) {
+    residuals -= others * others.completeOrthogonalDecomposition().solve(residuals);
+  }
+  return residuals.squaredNorm();
+}
+
+/// Distances below and above the optimum, in the coordinate of a time shift, within which the
+/// residuals grow by no more than noise explains. Linear theory fails where a signal is shorter
+/// than the interval of a row: all shifts in a part of the row then fit alike.
+std::array<double, 2> profile(const Misfit& misfit, const FitData& data,
+                              const std::vector<double>& optimum, std::size_t shift,
+                              const FitStatistics& statistics) {
+  constexpr double step = 1.0 / 64, farthest = 2; // intervals of a row
+  const double most = squares_but_for(misfit, data, optimum, shift) +
+                      std::pow(statistics.quantile * statistics.residual_deviation, 2);
+  std::array<double, 2> distances{};
+  for (std::size_t side = 0; side < 2; ++side) {
+    std::vector<double> at = optimum;
+    for (double distance = step; distance <= farthest; distance += step) {
+      at[shift] = optimum[shift] + (side == 0 ? -distance : distance);
+      if (squares_but_for(misfit, data, at, shift) > most) {
+        break;
+      }
+      distances[side] = distance;
+    }
+  }
+  return distances;
+}
+
 FitResult summarise(FitModel& model, const FitData& data, const Misfit& misfit,
                     const std::vector<double>& start, const std::vector<double>& optimum) {
   FitResult result;
@@ -187,6 +238,12 @@ FitResult summarise(FitModel& model, const FitData& data, const Misfit& misfit,
     result.parameters.push_back(
         fitted(parameter, values[i], misfit.scale(i),
                result.statistics.quantile * result.statistics.log_error[i] + search_ends));
+    if (parameter.key == "data.time_shift") {
+      const auto [below, above] = profile(misfit, data, optimum, i, result.statistics);
+      FittedParameter& shift = result.parameters.back();
+      shift.lower_95 = std::min(shift.lower_95, values[i] - below * misfit.scale(i));
+      shift.upper_95 = std::max(shift.upper_95, values[i] + above * misfit.scale(i));
+    }
     if (result.parameters.back().at_bound) {
       result.warnings.push_back(
           fmt::format("{} = {:.6g} is at the end of its range: its interval has no meaning.",

@@ -39,12 +39,12 @@ std::string heights_text(const shapes::HeightMap& map) {
   return fmt::format(" heights {} {} {}", map.x, map.y, map.height);
 }
 
+/// Study 2 alone needs the Study 1 of its folder: nothing is removed before it is read.
 results::ExistingFolder existing_folder(const RunOptions& options) {
-  if (options.overwrite) {
-    return results::ExistingFolder::overwrite;
+  if (options.resume || options.studies == Studies::electrochemistry) {
+    return results::ExistingFolder::resume;
   }
-  const bool takes_up = options.resume || options.studies == Studies::electrochemistry;
-  return takes_up ? results::ExistingFolder::resume : results::ExistingFolder::refuse;
+  return options.overwrite ? results::ExistingFolder::overwrite : results::ExistingFolder::refuse;
 }
 
 /// True if a manifest says that this build of the program finished the case with this hash, and all
@@ -105,8 +105,9 @@ RunFolder::RunFolder(const Case& input, const RunOptions& options)
                     "choose another folder, or replace its results with --overwrite",
                     path().string()));
   }
-  if (earlier_.input_hash != manifest_.input_hash) {
+  if (earlier_.input_hash != manifest_.input_hash || options.overwrite) {
     earlier_.stages.erase("electrochemistry");
+    earlier_.files.clear(); // not complete
   }
   manifest_.stages = earlier_.stages;
   base::write_text_file(own(results::file_names::case_text), input.text);

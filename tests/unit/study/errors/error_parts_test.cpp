@@ -44,6 +44,24 @@ TEST(ErrorParts, signals_carry_the_errors_of_water_and_of_thin_layers) {
   floors.decoupling = 0.03;
   EXPECT_NEAR(relative_floor(floors, "charge_top", "C"), 0.05, 1e-15);
   EXPECT_EQ(relative_floor(floors, "normal_force", "N"), 0);
+  EXPECT_EQ(relative_floor(floors, "signal_to_noise", "1"),
+            relative_floor(floors, "current_top", "A"));
+}
+
+// A current over a noise that is known.
+TEST(ErrorParts, a_signal_to_noise_errs_as_its_current) {
+  Signals base = scaled_signals(1, 1), mesh = base;
+  for (Signals* signals : {&base, &mesh}) {
+    const double peak = signals == &base ? 1e-6 : 1.2e-6;
+    signals->sampled.columns[3].values = {peak, -0.1 * peak};
+    signals->resolved.columns[8].values = {0, peak, -0.1 * peak};
+    signals->metrics.push_back({"peak_sampled_current_difference", peak, "A"});
+    signals->metrics.push_back({"signal_to_noise", 1e3 * peak / 1e-6, "1"});
+  }
+  const auto errors =
+      combine_errors(base, {{error_parts::mechanics_mesh, &base, &mesh}}, {}).relative;
+  EXPECT_GT(errors.at("signal_to_noise"), 0.1);
+  EXPECT_NEAR(errors.at("signal_to_noise"), errors.at("peak_sampled_current_difference"), 1e-12);
 }
 
 TEST(ErrorParts, add_up_to_the_error) {
