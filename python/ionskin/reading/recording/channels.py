@@ -51,6 +51,10 @@ class Channels:
                          "over it")
         return cls(instants - instants[0], values)
 
+    def interval(self):
+        """Median interval between the rows [s]."""
+        return float(numpy.median(numpy.diff(self.time)))
+
     def at(self, time):
         """Interpolates the channels linearly at the instants `time` [s] and returns them as Channels."""
         return Channels(time, {name: _interpolated(time, self.time, one) for name, one in self.values.items()})
@@ -73,8 +77,8 @@ class Channels:
         Beyond its ends the recording is continued by its end values. Raises CaseError when the frequency is too high or too low
         for the recording.
         """
-        step = float(numpy.median(numpy.diff(self.time)))
-        deviation = numpy.sqrt(numpy.log(2)) / (2 * numpy.pi * frequency) / step
+        step = self.interval()
+        deviation = _deviation(frequency) / step
         count = self.time[-1] / step
         if deviation < 0.3:
             raise CaseError(f"--filter {frequency:.6g} Hz is above what rows every {step:.4g} s hold\n"
@@ -83,10 +87,30 @@ class Channels:
             raise CaseError(f"--filter {frequency:.6g} Hz is slower than the recording of {self.time[-1]:.4g} s, or that has "
                             "too many rows\n  = choose a higher frequency, or a shorter recording")
         even = self.at(numpy.arange(int(count) + 1) * step)
-        reach = int(numpy.ceil(4 * deviation))
-        kernel = numpy.exp(-0.5 * (numpy.arange(-reach, reach + 1) / deviation) ** 2)
-        smooth = {name: _convolved(one, kernel / kernel.sum(), reach) for name, one in even.values.items()}
+        kernel = _kernel(deviation)
+        smooth = {name: _convolved(one, kernel, len(kernel) // 2) for name, one in even.values.items()}
         return Channels(even.time, smooth).at(self.time)
+
+
+def noise_share(frequency, interval):
+    """Standard deviation of white noise behind the low-pass of Channels.filtered over that before it.
+
+    frequency  of the filter [Hz]
+    interval   time between samples of the noise [s]
+    """
+    return float(numpy.sqrt(numpy.sum(_kernel(_deviation(frequency) / interval) ** 2)))
+
+
+def _deviation(frequency):
+    """Standard deviation of the Gaussian that has half the power at the frequency [Hz], in seconds."""
+    return numpy.sqrt(numpy.log(2)) / (2 * numpy.pi * frequency)
+
+
+def _kernel(deviation):
+    """Gaussian [odd number of samples] of a standard deviation in samples, with the sum 1."""
+    reach = int(numpy.ceil(4 * deviation))
+    kernel = numpy.exp(-0.5 * (numpy.arange(-reach, reach + 1) / deviation) ** 2)
+    return kernel / kernel.sum()
 
 
 def _columns(one, work):

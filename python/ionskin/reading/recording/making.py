@@ -7,7 +7,7 @@ import numpy
 
 from ...errors import CaseError
 from . import contact, frame
-from .channels import MOST_ROWS
+from .channels import MOST_ROWS, noise_share
 from .merging import merged
 from .path import Path
 
@@ -37,10 +37,12 @@ def motion(recordings, *, columns=(), origin=(0, 0, 0), x_axis=(1, 0, 0), y_axis
     Raises CaseError when a file or an argument cannot be used.
     """
     notes = []
-    channels = merged([recordings] if isinstance(recordings, (str, os.PathLike)) else list(recordings), columns, notes)
+    record = merged([recordings] if isinstance(recordings, (str, os.PathLike)) else list(recordings), columns, notes)
+    channels, share = record.channels, 1.0
     if filter is not None:
         frequency = frame.quantity(filter, "Hz", "--filter")
-        channels = channels.filtered(_positive(frequency, "--filter"))
+        share = noise_share(_positive(frequency, "--filter"), max(channels.interval(), record.sensed.interval()))
+        channels = channels.filtered(frequency)
         notes.append(f"filtered at {frequency:.6g} Hz, without delay")
     if rate is not None:
         before = len(channels.time)
@@ -50,15 +52,19 @@ def motion(recordings, *, columns=(), origin=(0, 0, 0), x_axis=(1, 0, 0), y_axis
         raise CaseError(f"the recording has {len(channels.time)} rows\n"
                         f"  = a path may have {MOST_ROWS}: resample it with --rate")
     place, height = _on_skin(channels, origin, x_axis, y_axis, tool)
-    zeroed = contact_force is not None and not tare
-    force = None if level == "height" else _normal_force(channels, x_axis, y_axis, force_in, zeroed, notes)
+    force = None if level == "height" else _normal_force(channels, x_axis, y_axis, force_in)
     if level == "force" and force is None:
         raise CaseError("no force is recorded\n  = name its column with --column force=NAME, or take --level height")
     if force is None and height is None:
         raise CaseError("neither a height (z) nor a force is recorded\n  = name one with --column")
     off = _positive(frame.quantity(gap, "m", "--gap"), "--gap")
     if force is not None:
-        height, force = _by_force(force, height if level == "auto" else None, off, contact_force, tare, notes)
+        sensed = _normal_force(record.sensed, x_axis, y_axis, force_in)
+        if not contact.compresses(sensed, contact_force is not None and not tare):
+            notes.append("the sign of the force is turned: compression counts as positive")
+            force, sensed = -force, -sensed
+        above, rest = contact.threshold(sensed, share), contact.rest_level(sensed)
+        height, force = _by_force(force, height if level == "auto" else None, off, above, rest, contact_force, tare, notes)
     else:
         force = numpy.full(len(height), numpy.nan)
     time = channels.time
@@ -98,39 +104,33 @@ def _on_skin(channels, origin, x_axis, y_axis, tool):
     return on_skin[:, :2], height
 
 
-def _normal_force(channels, x_axis, y_axis, force_in, zeroed, notes):
-    """Normal force on the skin [rows] [N], compression positive; None where no force is recorded. Raises CaseError."""
+def _normal_force(channels, x_axis, y_axis, force_in):
+    """Normal force on the skin [rows] [N], of the recorded sign; None where no force is recorded. Raises CaseError."""
     values = channels.values
     if "force" in values or "forces" not in values:
-        force = values.get("force")
-    elif force_in == "skin":
-        force = values["forces"][:, 2]
-    else:
-        forces = values["forces"]
-        if force_in == "tool":
-            if "turn" not in values:
-                raise CaseError("--force-in tool needs a quaternion, and the recording has none\n  = name qx, qy, qz and qw")
-            forces = numpy.column_stack([numpy.sum(forces * frame.turned(_inverse(values["turn"]), axis), axis=1)
-                                         for axis in numpy.eye(3)])
-        force = forces @ frame.axes(x_axis, y_axis)[2]
-    if force is None:
-        return None
-    if not contact.compresses(force, zeroed):
-        notes.append("the sign of the force is turned: compression counts as positive")
-        force = -force
-    return force
+        return values.get("force")
+    forces = values["forces"]
+    if force_in == "skin":
+        return forces[:, 2]
+    if force_in == "tool":
+        if "turn" not in values:
+            raise CaseError("--force-in tool needs a quaternion, and the recording has none\n  = name qx, qy, qz and qw")
+        forces = numpy.column_stack([numpy.sum(forces * frame.turned(_inverse(values["turn"]), axis), axis=1)
+                                     for axis in numpy.eye(3)])
+    return forces @ frame.axes(x_axis, y_axis)[2]
 
 
 def _inverse(turn):
     return turn * numpy.array([-1, -1, -1, 1])
 
 
-def _by_force(force, height, gap, contact_force, tare, notes):
+def _by_force(force, height, gap, above, rest, contact_force, tare, notes):
     """Height [rows] [m] off the skin and force [rows] [N] on it; each is NaN in rows in which the other is prescribed.
+
+    above, rest  threshold of the contact, and level of the force at rest [N]
 
     Raises CaseError.
     """
-    above, rest = contact.threshold(force), contact.rest_level(force)
     if contact_force is not None:
         above = _positive(frame.quantity(contact_force, "N", "--contact-force"), "--contact-force")
     if tare:

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Merging of several recordings of one clock into channels over one time."""
 
+import dataclasses
+
 import numpy
 
 from ...errors import CaseError
@@ -46,8 +48,21 @@ def _continuous(turn):
     return turn * numpy.where(numpy.concatenate(([0], numpy.cumsum(against))) % 2, -1, 1)[:, None]
 
 
-def merged(paths, wanted, notes) -> Channels:
-    """Merges recordings of one clock into Channels at the instants of the first, over the time that all cover.
+@dataclasses.dataclass
+class Merged:
+    """Recordings of one clock over one time.
+
+    channels  all Channels, at the instants of the first recording
+    sensed    Channels of the force and of the quaternion at the instants at which the force was recorded, from the same
+              beginning; `channels` where there are none
+    """
+
+    channels: Channels
+    sensed: Channels
+
+
+def merged(paths, wanted, notes) -> Merged:
+    """Merges recordings of one clock at the instants of the first, over the time that all cover.
 
     paths   CSV files
     wanted  texts "ROLE=NAME [unit]" for columns whose names do not tell what they are
@@ -74,7 +89,29 @@ def merged(paths, wanted, notes) -> Channels:
     for other, first in parts[1:]:
         for name, one in other.at(time + start - first).values.items():
             values.setdefault(name, one)
-    return Channels(time - time[0], values)
+    channels = Channels(time - time[0], values)
+    return Merged(channels, _sensed(parts, start + time[0], channels.time[-1]) or channels)
+
+
+def _sensed(parts, begin, duration):
+    """Channels of the force at its own instants, between the stamp `begin` [s] and so many seconds later.
+
+    None without a force, and where fewer than two rows of it are within this time.
+    """
+    for name in ("force", "forces"):
+        for one, first in parts:
+            if name not in one.values:
+                continue
+            time = one.time + (first - begin)
+            rows = (time >= -1e-9) & (time <= duration + 1e-9)
+            if rows.sum() < 2:
+                return None
+            values = {name: one.values[name][rows]}
+            for other, stamp in parts:
+                if "turn" in other.values:
+                    values.setdefault("turn", other.at(one.time[rows] + (first - stamp)).values["turn"])
+            return Channels(time[rows], values)
+    return None
 
 
 def _require_known(paths, wanted):
