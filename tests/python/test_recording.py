@@ -59,6 +59,45 @@ class Touch(PackageTest):
             path = ionskin.motion(self.touch(force=force), filter="5 Hz", rate="500 Hz")
             self.assertEqual(len(contact.parts(numpy.isfinite(path.force))), 1, path.notes)
 
+    def test_a_spike_hides_no_touch(self):
+        """One wrong row, of either sign, decides neither the threshold nor the sign; it is told."""
+        for row in (0, 20, 150, 325):
+            for spike in (80, -80):
+                for sign in (1, -1):
+                    force = self.force.copy()
+                    force[row] = spike
+                    path = ionskin.motion(self.touch(force=sign * force), rate="1 kHz")
+                    told = [note for note in path.notes if f"one row alone has {spike} N" in note]
+                    spans = contact.parts(numpy.isfinite(path.force))
+                    pressed = sum(path.time[behind - 1] - path.time[first] for first, behind in spans)
+                    with self.subTest(row=row, spike=spike, sign=sign):
+                        self.assertEqual(len(told), 1, path.notes)
+                        self.assertTrue(all(f" {row / 125:.4g} s after the first row" in note for note in told), told)
+                        self.assertLessEqual(len(spans), 2)
+                        self.assertAlmostEqual(pressed, 1.4, delta=0.05)
+
+    def test_a_short_real_peak_is_kept(self):
+        """Taps of one and of two rows, alone and beside a touch."""
+        for rows, beside in (([200], 0), ([100, 200], 0), ([260], 1), ([270, 271], 1)):
+            force = beside * self.force
+            force[rows] += 3
+            path = ionskin.motion(self.touch(force=force))
+            with self.subTest(rows=rows, beside=beside):
+                self.assertTrue(numpy.isfinite(path.force[rows]).all())
+                numpy.testing.assert_allclose(path.force[rows], 3, atol=0.02)
+                self.assertEqual(len(contact.parts(numpy.isfinite(path.force))), beside + (1 if len(rows) == 1 or beside else 2))
+                self.assertEqual(any("one row alone" in note for note in path.notes), rows == [260])
+
+    def test_touches_within_the_noise_are_told(self):
+        """A recording that was resampled before tells no noise."""
+        clock = numpy.arange(2600) / 1000
+        force = self.table("held.csv", time=clock, x_mm=0 * clock, y_mm=0 * clock,
+                           force=self.force[numpy.searchsorted(self.time, clock, side="right") - 1])
+        path = ionskin.motion(force)
+        self.assertGreater(len(contact.parts(numpy.isfinite(path.force))), 1)
+        self.assertTrue(any("set a larger one with --contact-force" in note for note in path.notes), path.notes)
+        self.assertFalse(any("set a larger one" in note for note in ionskin.motion(self.touch()).notes))
+
 
 if __name__ == "__main__":
     unittest.main()

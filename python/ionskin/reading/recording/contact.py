@@ -41,6 +41,15 @@ def threshold(force, share=1.0):
     return max(5 * share * noise(force), 0.02 * (float(steady(force).max()) - rest_level(force)))
 
 
+def spike(force):
+    """Row that departs most from the force at rest, of either sign, if it stands alone: more than three times as far as
+    the steady force. None otherwise.
+    """
+    level = rest_level(force)
+    row = int(numpy.argmax(numpy.abs(force - level)))
+    return row if abs(force[row] - level) > 3 * numpy.abs(steady(force) - level).max() + 5 * noise(force) else None
+
+
 def compresses(force, zeroed):
     """True if compression is positive in a recorded force, which the largest departure from the level at rest decides.
 

@@ -64,6 +64,11 @@ def motion(recordings, *, columns=(), origin=(0, 0, 0), x_axis=(1, 0, 0), y_axis
             notes.append("the sign of the force is turned: compression counts as positive")
             force, sensed = -force, -sensed
         above, rest = contact.threshold(sensed, share), contact.rest_level(sensed)
+        row = contact.spike(sensed)
+        if row is not None:
+            notes.append(f"one row alone has {sensed[row]:.4g} N, {record.sensed.time[row]:.4g} s after the first row, and "
+                         f"the others at most {contact.steady(sensed).max():.4g} N: if the sensor erred, empty its cell in the "
+                         "file, and convert it again")
         height, force = _by_force(force, height if level == "auto" else None, off, above, rest, contact_force, tare, notes)
     else:
         force = numpy.full(len(height), numpy.nan)
@@ -147,6 +152,10 @@ def _by_force(force, height, gap, above, rest, contact_force, tare, notes):
                         "  = lower it with --contact-force, or take --level height")
     notes.append(f"touches where the force is above {above:.4g} N, until half of it: {len(touched)} time"
                  f"{'s' if len(touched) > 1 else ''}")
+    faint = sum(force[first:behind].max() < 2 * above for first, behind in touched)
+    if faint and contact_force is None:
+        notes.append(f"{faint} of the {len(touched)} touches stay{'s' if faint == 1 else ''} below twice this threshold: if that is "
+                     "noise, set a larger one with --contact-force")
     if height is None:
         off = numpy.full(len(force), gap)
         notes.append(f"off the skin the height is {1e3 * gap:.4g} mm")
