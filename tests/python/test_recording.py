@@ -78,14 +78,14 @@ class Touch(PackageTest):
 
     def test_a_short_real_peak_is_kept(self):
         """Taps of one and of two rows, alone and beside a touch."""
-        for rows, beside in (([200], 0), ([100, 200], 0), ([260], 1), ([270, 271], 1)):
+        for rows, beside, touches in (([200], 0, 1), ([100, 200], 0, 2), ([260], 1, 2), ([270, 271], 1, 2)):
             force = beside * self.force
             force[rows] += 3
             path = ionskin.motion(self.touch(force=force))
             with self.subTest(rows=rows, beside=beside):
                 self.assertTrue(numpy.isfinite(path.force[rows]).all())
                 numpy.testing.assert_allclose(path.force[rows], 3, atol=0.02)
-                self.assertEqual(len(contact.parts(numpy.isfinite(path.force))), beside + (1 if len(rows) == 1 or beside else 2))
+                self.assertEqual(len(contact.parts(numpy.isfinite(path.force))), touches)
                 self.assertEqual(any("one row alone" in note for note in path.notes), rows == [260])
 
     def test_touches_within_the_noise_are_told(self):
@@ -97,6 +97,45 @@ class Touch(PackageTest):
         self.assertGreater(len(contact.parts(numpy.isfinite(path.force))), 1)
         self.assertTrue(any("set a larger one with --contact-force" in note for note in path.notes), path.notes)
         self.assertFalse(any("set a larger one" in note for note in ionskin.motion(self.touch()).notes))
+
+    def test_a_quaternion_of_zeros_is_told_with_its_row(self):
+        nothing, one = 0 * self.time, 1 + 0 * self.time
+        zeros = self.touch(qx=nothing, qy=nothing, qz=nothing, qw=nothing)
+        with self.assertRaisesRegex(ionskin.CaseError, r"--tool needs .*touch.csv \(qx, qy, qz, qw\) is 0, .* in row 1 and all others"):
+            ionskin.motion(zeros, tool=(0, 0, 0.1))
+        with self.assertRaisesRegex(ionskin.CaseError, "the recording has none"):
+            ionskin.motion(self.touch(), tool=(0, 0, 0.1))
+        wrench = {"fx": nothing, "fy": nothing, "fz": self.force}
+        pose = self.table("pose.csv", time=self.time, x_mm=self.x, y_mm=nothing, z_mm=self.height, **wrench)
+        with self.assertRaisesRegex(ionskin.CaseError, "--force-in tool needs a quaternion, and the recording has none"):
+            ionskin.motion(pose, force_in="tool")
+        one[[7, 9]] = 0
+        path = ionskin.motion(self.touch(qx=one, qy=nothing, qz=nothing, qw=nothing))
+        self.assertTrue(any("0, which is no orientation, in 2 rows, the first of which is row 8" in note for note in path.notes),
+                        path.notes)
+
+    def test_axes_that_are_not_perpendicular(self):
+        recording = self.touch()
+        for axes, word in (({"x_axis": (0, 1, 0)}, "--x-axis 0,1,0 and --y-axis 0,1,0 are not perpendicular, but at 0 degrees; .*\n.*"
+                            "--y-axis=-1,0,0"),
+                           ({"x_axis": "0,1,0"}, "--x-axis 0,1,0 and --y-axis 0,1,0 are"),
+                           ({"y_axis": (1, 1, 0)}, "--x-axis 1,0,0 and --y-axis 1,1,0 are not perpendicular, but at 45 degrees"),
+                           ({"x_axis": (0, 0, 0)}, "--x-axis 0,0,0 is not a direction"),
+                           ({"y_axis": "0,nan,0"}, "--y-axis 0,nan,0 is not a direction")):
+            with self.subTest(axes), self.assertRaisesRegex(ionskin.CaseError, word):
+                ionskin.motion(recording, **axes)
+
+    def test_a_file_that_cannot_be_written(self):
+        path = ionskin.motion(self.touch())
+        (self.folder / "there").mkdir()
+        for name, word in (("none/k.csv", "there is no folder .*none\n  = make it"), ("there", "is a folder"),
+                           ("touch.csv", "is there already"), ("touch.csv/k.csv", "there is no folder")):
+            with self.subTest(name), self.assertRaisesRegex(ionskin.CaseError, word) as raised:
+                path.write(self.folder / name)
+            self.assertNotIn("pending", str(raised.exception))
+        with self.assertRaises(OSError) as long:
+            path.write(self.folder / ("k" * 300))
+        self.assertNotIn("pending", str(long.exception))
 
 
 if __name__ == "__main__":

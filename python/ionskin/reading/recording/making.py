@@ -51,6 +51,10 @@ def motion(recordings, *, columns=(), origin=(0, 0, 0), x_axis=(1, 0, 0), y_axis
     if len(channels.time) > MOST_ROWS:
         raise CaseError(f"the recording has {len(channels.time)} rows\n"
                         f"  = a path may have {MOST_ROWS}: resample it with --rate")
+    if tool is not None:
+        _require_turn(record, "--tool", "leave out --tool where the tip itself is tracked")
+    if force_in == "tool" and level != "height" and "forces" in channels.values and "force" not in channels.values:
+        _require_turn(record, "--force-in tool", "name the force along the normal: --column force=NAME")
     place, height = _on_skin(channels, origin, x_axis, y_axis, tool)
     force = None if level == "height" else _normal_force(channels, x_axis, y_axis, force_in)
     if level == "force" and force is None:
@@ -87,6 +91,14 @@ def _positive(value, name):
     return value
 
 
+def _require_turn(record, option, otherwise):
+    """Raises CaseError, with the remedy `otherwise` beside that of naming columns, where an option needs a quaternion and
+    none is recorded."""
+    if "turn" not in record.channels.values:
+        raise CaseError(f"{option} needs a quaternion, and {record.turnless}\n  = name qx, qy, qz and qw with --column, or "
+                        f"{otherwise}")
+
+
 def _on_skin(channels, origin, x_axis, y_axis, tool):
     """Positions [rows, 2] and heights [rows] of the finger's tip in the frame of the skin [m]; heights are None without
     z or height.
@@ -101,8 +113,6 @@ def _on_skin(channels, origin, x_axis, y_axis, tool):
                             "  = name them: --column \"x=NAME [unit]\" --column \"y=NAME [unit]\"")
         place = numpy.column_stack((values["flat"], numpy.zeros(len(channels.time))))
     if tool is not None:
-        if "turn" not in values:
-            raise CaseError("--tool needs a quaternion, and the recording has none\n  = name qx, qy, qz and qw with --column")
         place = place + frame.turned(values["turn"], frame.point(tool, "--tool"))
     on_skin = (place - frame.point(origin, "--origin")) @ turn.T
     height = values.get("height", on_skin[:, 2] if "place" in values else None)
@@ -118,8 +128,6 @@ def _normal_force(channels, x_axis, y_axis, force_in):
     if force_in == "skin":
         return forces[:, 2]
     if force_in == "tool":
-        if "turn" not in values:
-            raise CaseError("--force-in tool needs a quaternion, and the recording has none\n  = name qx, qy, qz and qw")
         forces = numpy.column_stack([numpy.sum(forces * frame.turned(_inverse(values["turn"]), axis), axis=1)
                                      for axis in numpy.eye(3)])
     return forces @ frame.axes(x_axis, y_axis)[2]

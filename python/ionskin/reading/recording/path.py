@@ -11,6 +11,20 @@ import numpy
 from ...errors import CaseError
 
 
+def require_writable(path, overwrite: bool) -> None:
+    """Checks that a path may be written to a file: its folder exists, and nothing of its name, unless it may be replaced.
+
+    Raises CaseError.
+    """
+    path = pathlib.Path(path)
+    if not path.parent.is_dir():
+        raise CaseError(f"{path}: there is no folder {path.parent}\n  = make it (mkdir -p {path.parent}), or name another")
+    if path.is_dir():
+        raise CaseError(f"{path} is a folder\n  = name a file in it, such as {path / 'path.csv'}")
+    if path.exists() and not (overwrite and path.is_file()):
+        raise CaseError(f"{path} is there already\n  = choose another name, or replace it with --overwrite")
+
+
 class Path:
     """Path of the slider over the skin as a list of waypoints, made by `ionskin.motion`; each prescribes a height or a
     force.
@@ -28,16 +42,18 @@ class Path:
     def write(self, path, overwrite: bool = False) -> None:
         """Writes the path as the CSV file that the key motion.file of a case takes.
 
-        Raises CaseError when the file exists and `overwrite` is False.
+        Raises CaseError when the file exists and `overwrite` is False, or its folder is missing.
         """
         path = pathlib.Path(path)
-        if path.exists() and not (overwrite and path.is_file()):
-            raise CaseError(f"{path} is there already\n  = choose another name, or replace it with --overwrite")
+        require_writable(path, overwrite)
         lines = ["time [s],x [mm],y [mm],height [mm],force [N]"]
         for time, (x, y), height, force in zip(self.time, self.position, self.height, self.force):
             level = f",{force:.6g}" if numpy.isnan(height) else f"{1e3 * height:.6f},"
             lines.append(f"{time:.9f},{1e3 * x:.6f},{1e3 * y:.6f},{level}")
-        handle, pending = tempfile.mkstemp(prefix=f"{path.name}.", suffix=".ionskin-pending", dir=path.parent)
+        try:
+            handle, pending = tempfile.mkstemp(prefix=f"{path.name}.", suffix=".ionskin-pending", dir=path.parent)
+        except OSError as error:  # names the file of the user, not the pending one
+            raise OSError(error.errno, error.strerror, str(path)) from None
         try:
             with os.fdopen(handle, "w", encoding="ascii") as file:
                 file.write("\n".join(lines) + "\n")
