@@ -137,6 +137,27 @@ class Touch(PackageTest):
             path.write(self.folder / ("k" * 300))
         self.assertNotIn("pending", str(long.exception))
 
+    def test_stamps_that_tell_no_rows_apart(self):
+        """Most stamps repeat: refused where they are cut to seconds, told where rows are averaged finely or are the same."""
+        cut = self.touch(time=[1764446202 + int(one) for one in self.time])
+        word = (r"touch.csv, time: the time stamps have a resolution of 1 s: 326 rows have 3 different stamps\n"
+                "  = write the stamps with the fractions of a second, name a column")
+        with self.assertRaisesRegex(ionskin.CaseError, word):
+            ionskin.motion(cut)
+        with self.assertRaisesRegex(ionskin.CaseError, "resolution of 0.1 s: 326 rows have 27 different"):
+            ionskin.motion(self.touch(time=numpy.floor(10 * self.time + 1e-9) / 10))
+        with self.assertRaisesRegex(ionskin.CaseError, "touch.csv, time: all 326 rows have one time stamp"):
+            ionskin.motion(self.touch(time=[1764446202] * 326))
+        fine = ionskin.motion(self.touch(time=numpy.floor(50 * self.time + 1e-9) / 50))
+        self.assertEqual(len(fine.time), 131)
+        self.assertTrue(any("resolution of 0.02 s: 326 rows have 131 different stamps, and the rows of one stamp are averaged: is "
+                            "there a column of finer times?" in note for note in fine.notes), fine.notes)
+        every, again = slice(None, None, 25), numpy.repeat(numpy.arange(14), 3)
+        same = ionskin.motion(self.touch(time=(self.time[every])[again], x_mm=self.x[every][again], y_mm=0.0 * again,
+                                         z_mm=self.height[every][again], force=self.force[every][again]))
+        self.assertEqual(len(same.time), 14)
+        self.assertFalse(any("finer" in note for note in same.notes), same.notes)
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -45,7 +45,8 @@ def _recording(path, wanted, notes):
                 notes.append(f"the quaternion is 0, which is no orientation, in {zero.sum()} rows, the first of which is row "
                              f"{numpy.argmax(zero) + 1}")
             values["turn"] = _continuous(numpy.where(zero[:, None], numpy.nan, values["turn"]))
-    return Channels.cleaned(time, values, notes), first + float(numpy.nanmin(time)), turnless
+    stamps = " and ".join(found[role].name for role in columns.stamp_roles(found))
+    return Channels.cleaned(time, values, notes, f"{path}, {stamps}"), first + float(numpy.nanmin(time)), turnless
 
 
 def _continuous(turn):
