@@ -158,6 +158,15 @@ class Touch(PackageTest):
         self.assertEqual(len(same.time), 14)
         self.assertFalse(any("finer" in note for note in same.notes), same.notes)
 
+    def test_normal_force_of_a_path_is_a_number_in_every_row(self):
+        path = ionskin.motion(self.touch())
+        pressed = numpy.isfinite(path.force)
+        numpy.testing.assert_array_equal(path.normal_force, numpy.where(pressed, path.force, 0))
+        self.assertFalse(pressed.all())
+        heights = ionskin.motion(self.touch(), level="height")
+        with self.assertRaisesRegex(ionskin.CaseError, "heights alone, .*\n  = give a live skin heights=path.height"):
+            self.assertIsNone(heights.normal_force)
+
 
 if __name__ == "__main__":
     unittest.main()

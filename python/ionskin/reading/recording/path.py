@@ -32,12 +32,24 @@ class Path:
     time      array [rows]: instants from 0 [s]
     position  array [rows, 2]: x and y of the slider on the skin [m]
     height    array [rows]: height of the underside above the undeformed top face [m]; NaN where the force is prescribed
-    force     array [rows]: normal force, compression positive [N]; NaN where the height is prescribed
+    force     array [rows]: normal force, compression positive [N]; NaN where the height is prescribed, where the property
+              normal_force has 0
     notes     list of sentences that say how the recording was converted
     """
 
     def __init__(self, time, position, height, force, notes):
         self.time, self.position, self.height, self.force, self.notes = time, position, height, force, notes
+
+    @property
+    def normal_force(self):
+        """Normal force in every row [rows], 0 off the skin [N], as a live skin takes it: `skin.run(path.time, path.position,
+        forces=path.normal_force)`.
+
+        Raises CaseError for a path of heights alone.
+        """
+        if numpy.isnan(self.force).all():
+            raise CaseError("the path prescribes heights alone, and no force\n  = give a live skin heights=path.height")
+        return numpy.nan_to_num(self.force, nan=0.0)
 
     def write(self, path, overwrite: bool = False) -> None:
         """Writes the path as the CSV file that the key motion.file of a case takes.
