@@ -103,9 +103,9 @@ class LiveTest(ProgramTest):
         """A path of ionskin.motion presses by a force, and is detached elsewhere."""
         times = numpy.arange(600) / 200
         force = numpy.interp(times, [0.5, 0.6, 2, 2.1], [0, 30, 30, 0])
-        numpy.savetxt(self.folder / "robot.csv", numpy.column_stack([
-            times, numpy.interp(times, [0.8, 1.8], [5, 6]), numpy.ones_like(times), numpy.where(force > 0, 0, 0.5), force]), "%.9g", ",",
-            header="time [s],x [mm],y [mm],z [mm],force [N]", comments="")
+        rows = numpy.column_stack([times, numpy.interp(times, [0.8, 1.8], [5, 6]), numpy.ones_like(times),
+                                   numpy.where(force > 0, 0, 0.5), force])
+        numpy.savetxt(self.folder / "robot.csv", rows, "%.9g", ",", header="time [s],x [mm],y [mm],z [mm],force [N]", comments="")
         path = ionskin.motion(self.folder / "robot.csv")
         skin = ionskin.live.Skin(self.trained)
         with self.assertRaisesRegex(ValueError, r"forces: holds NaN or infinity \(first at index 0\)\n.*path.normal_force"):

@@ -227,7 +227,8 @@ class Recording(ProgramTest):
                 self.assertFalse((self.folder / "path.csv").exists())
         named = (good, "--column", "x=a [m]", "--column", "y=b [m]")
         self.assert_touch(*named)
-        self.assertIn("there is no folder none\n  = make it", self.run_program("motion", *named, "-o", "none/path.csv", expect=2).stderr)
+        self.assertIn("there is no folder none\n  = make it",
+                      self.run_program("motion", *named, "-o", "none/path.csv", expect=2).stderr)
         self.assertIn("is there already", self.run_program("motion", *named, "-o", "path.csv", expect=2).stderr)
 
 

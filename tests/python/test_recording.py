@@ -101,7 +101,7 @@ class Touch(PackageTest):
     def test_a_quaternion_of_zeros_is_told_with_its_row(self):
         nothing, one = 0 * self.time, 1 + 0 * self.time
         zeros = self.touch(qx=nothing, qy=nothing, qz=nothing, qw=nothing)
-        with self.assertRaisesRegex(ionskin.CaseError, r"--tool needs .*touch.csv \(qx, qy, qz, qw\) is 0, .* in row 1 and all others"):
+        with self.assertRaisesRegex(ionskin.CaseError, r"--tool needs .*touch.csv \(qx, qy, qz, qw\) is 0, .* in row 1 and all"):
             ionskin.motion(zeros, tool=(0, 0, 0.1))
         with self.assertRaisesRegex(ionskin.CaseError, "the recording has none"):
             ionskin.motion(self.touch(), tool=(0, 0, 0.1))
@@ -116,8 +116,8 @@ class Touch(PackageTest):
 
     def test_axes_that_are_not_perpendicular(self):
         recording = self.touch()
-        for axes, word in (({"x_axis": (0, 1, 0)}, "--x-axis 0,1,0 and --y-axis 0,1,0 are not perpendicular, but at 0 degrees; .*\n.*"
-                            "--y-axis=-1,0,0"),
+        for axes, word in (({"x_axis": (0, 1, 0)}, "--x-axis 0,1,0 and --y-axis 0,1,0 are not perpendicular, but at 0 degrees; .*"
+                            "\n.*--y-axis=-1,0,0"),
                            ({"x_axis": "0,1,0"}, "--x-axis 0,1,0 and --y-axis 0,1,0 are"),
                            ({"y_axis": (1, 1, 0)}, "--x-axis 1,0,0 and --y-axis 1,1,0 are not perpendicular, but at 45 degrees"),
                            ({"x_axis": (0, 0, 0)}, "--x-axis 0,0,0 is not a direction"),
@@ -150,8 +150,8 @@ class Touch(PackageTest):
             ionskin.motion(self.touch(time=[1764446202] * 326))
         fine = ionskin.motion(self.touch(time=numpy.floor(50 * self.time + 1e-9) / 50))
         self.assertEqual(len(fine.time), 131)
-        self.assertTrue(any("resolution of 0.02 s: 326 rows have 131 different stamps, and the rows of one stamp are averaged: is "
-                            "there a column of finer times?" in note for note in fine.notes), fine.notes)
+        self.assertTrue(any("resolution of 0.02 s: 326 rows have 131 different stamps, and the rows of one stamp are averaged: "
+                            "is there a column of finer times?" in note for note in fine.notes), fine.notes)
         every, again = slice(None, None, 25), numpy.repeat(numpy.arange(14), 3)
         same = ionskin.motion(self.touch(time=(self.time[every])[again], x_mm=self.x[every][again], y_mm=0.0 * again,
                                          z_mm=self.height[every][again], force=self.force[every][again]))
@@ -166,6 +166,52 @@ class Touch(PackageTest):
         heights = ionskin.motion(self.touch(), level="height")
         with self.assertRaisesRegex(ionskin.CaseError, "heights alone, .*\n  = give a live skin heights=path.height"):
             self.assertIsNone(heights.normal_force)
+
+    def turned(self, roll, pitch, yaw, mount):
+        """Quaternion columns of a finger that is turned by roll, pitch and yaw [deg] on the skin and held by a tool that is
+        mounted by a quaternion."""
+        def product(a, b):
+            vector = a[3] * b[:3] + b[3] * a[:3] + numpy.cross(a[:3], b[:3])
+            return numpy.append(vector, a[3] * b[3] - a[:3] @ b[:3])
+
+        rows = []
+        for angles in zip(*(numpy.radians(numpy.broadcast_to(one, self.time.shape)) / 2 for one in (roll, pitch, yaw))):
+            one = [numpy.append(numpy.sin(angle) * axis, numpy.cos(angle)) for angle, axis in zip(angles, numpy.eye(3))]
+            rows.append(product(product(one[2], product(one[1], one[0])), mount))
+        return dict(zip(("qx", "qy", "qz", "qw"), numpy.transpose(rows)))
+
+    def test_a_tilt_in_contact_is_told_or_taken(self):
+        down = numpy.array([1.0, 0, 0, 0])
+        oblique = numpy.append(numpy.sin(0.4) * numpy.array([0.6, 0.8, 0]), numpy.cos(0.4))
+        ramp = numpy.interp(self.time, (0.7, 1.0), (0, 1))
+        for mount, what, since in ((down, "the tool's z axis", "the skin's normal"),
+                                   (oblique, "the tool", "its direction at the first touch")):
+            with self.subTest(what):
+                steep = self.touch(**self.turned(0, 10 * ramp, 0, mount))
+                for level in ("auto", "force", "height"):
+                    told = [note for note in ionskin.motion(steep, level=level).notes if "in contact" in note]
+                    self.assertRegex(told[0], rf"{what} tilts by up to 10 degrees from {since} \(roll 0, pitch 10 degrees, at "
+                                     r"[0-9.]+ s\), which the path leaves out: .*height map")
+                with self.assertRaisesRegex(ionskin.CaseError, "tilts by up to 10 degrees .*\n  = leave out angles=True; a"):
+                    ionskin.motion(steep, angles=True)
+                slight = self.touch(**self.turned(-3 * ramp, 2 * ramp, 40 * ramp, mount))
+                told = [note for note in ionskin.motion(slight).notes if "in contact" in note]
+                self.assertRegex(told[0], "tilts by up to 3.61 degrees .*turns about the normal by up to 40, .*: .*angles=True")
+                path = ionskin.motion(slight, angles=True)
+                self.assertFalse([note for note in path.notes if "in contact" in note])
+                pressed = numpy.isfinite(path.force)
+                expected = numpy.outer(ramp, (-3, 2, 40))
+                numpy.testing.assert_allclose(numpy.degrees(path.angles[pressed]), expected[pressed], atol=1e-6)
+                path.write(self.folder / "path.csv", overwrite=True)
+                lines = (self.folder / "path.csv").read_text().splitlines()
+                self.assertTrue(lines[0].endswith(",force [N],roll [deg],pitch [deg],yaw [deg]"))
+                self.assertEqual(lines[1 + 200].split(",")[5:], ["-3.000000", "2.000000", "40.000000"])
+        upright = self.touch(**self.turned(0, 10 * (self.time > 2), 0, down))
+        self.assertFalse([note for note in ionskin.motion(upright).notes if "in contact" in note])
+        for changes, word in (({"level": "height"}, "needs a force"), ({}, "angles=True needs a quaternion")):
+            recording = upright if changes else self.touch()
+            with self.assertRaisesRegex(ionskin.CaseError, word):
+                ionskin.motion(recording, angles=True, **changes)
 
 
 if __name__ == "__main__":

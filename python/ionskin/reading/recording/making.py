@@ -10,12 +10,13 @@ from . import contact, frame
 from .channels import MOST_ROWS, noise_share
 from .merging import merged
 from .path import Path
+from .tilt import Tilt
 
 LEAD = 0.1  # s before a recording that begins on the skin
 
 
 def motion(recordings, *, columns=(), origin=(0, 0, 0), x_axis=(1, 0, 0), y_axis=(0, 1, 0), tool=None, force_in="skin",
-           level="auto", contact_force=None, tare=False, gap="1 mm", rate=None, filter=None) -> Path:
+           level="auto", contact_force=None, tare=False, gap="1 mm", rate=None, filter=None, angles=False) -> Path:
     """Makes a Path of waypoints for the slider from recordings of a robot: position, and height or normal force.
 
     recordings     CSV file, or several of one clock, of which the first gives the instants
@@ -33,6 +34,8 @@ def motion(recordings, *, columns=(), origin=(0, 0, 0), x_axis=(1, 0, 0), y_axis
     gap            height off the skin where none is recorded, as text with a unit
     rate           frequency at which the recording is resampled, such as "100 Hz"; None to keep the rows
     filter         cut-off frequency of a low-pass without delay, such as "20 Hz"; None for no filter
+    angles         True for a path with the roll, pitch and yaw of the quaternion, up to 5 degrees of tilt; False for an upright
+                   finger
 
     Raises CaseError when a file or an argument cannot be used.
     """
@@ -77,12 +80,45 @@ def motion(recordings, *, columns=(), origin=(0, 0, 0), x_axis=(1, 0, 0), y_axis
     else:
         force = numpy.full(len(height), numpy.nan)
     time = channels.time
+    pressed = numpy.isfinite(force)
+    if angles:
+        _require_angles(record, pressed)
+    poses = _angles(channels, frame.axes(x_axis, y_axis), pressed if pressed.any() else height < 0, angles, notes)
     if not height[0] >= 0:
         notes.append(f"the recording begins on the skin: the finger lands there within {LEAD} s before it")
         time = numpy.concatenate(([0], time + LEAD))
         place, height, force = numpy.vstack((place[:1], place)), numpy.append(off, height), numpy.append(numpy.nan, force)
+        poses = None if poses is None else numpy.vstack((poses[:1], poses))
     notes.append(_summary(time, place, height, force))
-    return Path(time, place, height, force, notes)
+    return Path(time, place, height, force, notes, poses)
+
+
+def _require_angles(record, pressed):
+    """Raises CaseError where a path cannot have angles; `pressed` is an array [rows], True where a force is prescribed."""
+    _require_turn(record, "angles=True", "leave out angles=True")
+    if not pressed.any():
+        raise CaseError("angles=True needs a force: a prescribed height is that of the lowest point of the tilted finger, which "
+                        "is not recorded\n  = take level=\"auto\", or leave out angles=True")
+
+
+def _angles(channels, axes, touches, wanted, notes):
+    """Roll, pitch and yaw [rows, 3] [rad] where they are wanted; None otherwise, with a note on a tilt that is left out.
+
+    touches  array [rows]: True in contact
+    wanted   True for a path with angles
+
+    Raises CaseError for a tilt that is too steep.
+    """
+    if "turn" not in channels.values or not touches.any():
+        return None
+    tilt = Tilt(channels.time, channels.values["turn"], axes, touches)
+    if wanted:
+        tilt.require_flat()
+        return tilt.angles
+    told = tilt.sentence()
+    if told:
+        notes.append(f"{told}, which the path leaves out: {tilt.remedy()}")
+    return None
 
 
 def _positive(value, name):
@@ -162,8 +198,8 @@ def _by_force(force, height, gap, above, rest, contact_force, tare, notes):
                  f"{'s' if len(touched) > 1 else ''}")
     faint = sum(force[first:behind].max() < 2 * above for first, behind in touched)
     if faint and contact_force is None:
-        notes.append(f"{faint} of the {len(touched)} touches stay{'s' if faint == 1 else ''} below twice this threshold: if that is "
-                     "noise, set a larger one with --contact-force")
+        notes.append(f"{faint} of the {len(touched)} touches stay{'s' if faint == 1 else ''} below twice this threshold: if that "
+                     "is noise, set a larger one with --contact-force")
     if height is None:
         off = numpy.full(len(force), gap)
         notes.append(f"off the skin the height is {1e3 * gap:.4g} mm")

@@ -35,10 +35,12 @@ class Path:
     force     array [rows]: normal force, compression positive [N]; NaN where the height is prescribed, where the property
               normal_force has 0
     notes     list of sentences that say how the recording was converted
+    angles    array [rows, 3]: roll, pitch and yaw of the slider [rad]; None for an upright one
     """
 
-    def __init__(self, time, position, height, force, notes):
+    def __init__(self, time, position, height, force, notes, angles=None):
         self.time, self.position, self.height, self.force, self.notes = time, position, height, force, notes
+        self.angles = angles
 
     @property
     def normal_force(self):
@@ -58,10 +60,14 @@ class Path:
         """
         path = pathlib.Path(path)
         require_writable(path, overwrite)
-        lines = ["time [s],x [mm],y [mm],height [mm],force [N]"]
-        for time, (x, y), height, force in zip(self.time, self.position, self.height, self.force):
+        lines, poses = ["time [s],x [mm],y [mm],height [mm],force [N]"], [""] * len(self.time)
+        if self.angles is not None:
+            lines[0] += ",roll [deg],pitch [deg],yaw [deg]"
+            angles = numpy.round(numpy.degrees(self.angles), 6) + 0.0  # no -0
+            poses = ["".join(f",{angle:.6f}" for angle in row) for row in angles.tolist()]
+        for time, (x, y), height, force, pose in zip(self.time, self.position, self.height, self.force, poses):
             level = f",{force:.6g}" if numpy.isnan(height) else f"{1e3 * height:.6f},"
-            lines.append(f"{time:.9f},{1e3 * x:.6f},{1e3 * y:.6f},{level}")
+            lines.append(f"{time:.9f},{1e3 * x:.6f},{1e3 * y:.6f},{level}{pose}")
         try:
             handle, pending = tempfile.mkstemp(prefix=f"{path.name}.", suffix=".ionskin-pending", dir=path.parent)
         except OSError as error:  # names the file of the user, not the pending one
