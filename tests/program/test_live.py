@@ -99,6 +99,21 @@ class LiveTest(ProgramTest):
                 numpy.testing.assert_array_equal(other[name], run[name])
         numpy.testing.assert_allclose(run["normal_force"], forces, rtol=1e-4)
 
+    def test_runs_a_recorded_path(self):
+        """A path of ionskin.motion presses by a force, and is detached elsewhere."""
+        times = numpy.arange(600) / 200
+        force = numpy.interp(times, [0.5, 0.6, 2, 2.1], [0, 30, 30, 0])
+        rows = numpy.column_stack([times, numpy.interp(times, [0.8, 1.8], [5, 6]), numpy.ones_like(times),
+                                   numpy.where(force > 0, 0, 0.5), force])
+        numpy.savetxt(self.folder / "robot.csv", rows, "%.9g", ",", header="time [s],x [mm],y [mm],z [mm],force [N]", comments="")
+        path = ionskin.motion(self.folder / "robot.csv")
+        skin = ionskin.live.Skin(self.trained)
+        with self.assertRaisesRegex(ValueError, r"forces: holds NaN or infinity \(first at index 0\)\n.*path.normal_force"):
+            skin.run(path.time, path.position, forces=path.force)
+        signals = skin.run(path.time, path.position, forces=path.normal_force)
+        self.assertFalse(signals.flags.any())
+        numpy.testing.assert_allclose(signals["normal_force"], numpy.where(force > 0.6, force, 0), atol=0.7)
+
     def test_tells_the_stiffness_of_the_contact(self):
         """It is the difference of steps, in columns that the skin knows."""
         skin = ionskin.live.Skin(self.trained)

@@ -136,7 +136,7 @@ class Recording(ProgramTest):
             places = self.table("places.csv", "Time (s),X (mm),Y (mm)", self.time, 1e3 * self.x, 1e3 * self.y)
             sensor = self.table("ft.csv", "Time (s),Fx (N),Fy (N),Fz (N),Tx (N-m),Ty (N-m),Tz (N-m)", self.time, zero, zero,
                                 self.force - 12, zero, zero, zero)
-            message = self.run_program("motion", places, sensor, "-o", "path.csv", expect=2).stderr
+            message = self.run_program("motion", places, sensor, "-o", "other.csv", expect=2).stderr
             self.assertIn("--tare", message)
             told = self.each(places, sensor, "--tare", height=False)
             self.assertIn("N, is subtracted", told)
@@ -178,7 +178,7 @@ class Recording(ProgramTest):
         nothing = 0 * self.time
         turnless = self.table("turnless.csv", header + ",qx,qy,qz,qw", *columns, nothing, nothing, nothing, nothing)
         self.assertIn("the quaternion is 0 in every row", self.assert_touch(turnless))
-        self.assertIn("the recording has none",
+        self.assertIn("turnless.csv (qx, qy, qz, qw) is 0, which is no orientation, in row 1",
                       self.run_program("motion", turnless, "--tool", "0,0,1 mm", "-o", "none.csv", expect=2).stderr)
         on = self.load > 1.9  # begins and ends on the skin
         told, path = self.path(self.table("on.csv", header, *(one[on] for one in columns)), "--contact-force", "0.1 N")
@@ -227,6 +227,8 @@ class Recording(ProgramTest):
                 self.assertFalse((self.folder / "path.csv").exists())
         named = (good, "--column", "x=a [m]", "--column", "y=b [m]")
         self.assert_touch(*named)
+        self.assertIn("there is no folder none\n  = make it",
+                      self.run_program("motion", *named, "-o", "none/path.csv", expect=2).stderr)
         self.assertIn("is there already", self.run_program("motion", *named, "-o", "path.csv", expect=2).stderr)
 
 

@@ -21,7 +21,10 @@ def finite(name: str, values, shape: tuple) -> numpy.ndarray:
     if array.shape != shape:
         raise ValueError(f"{name}: the shape is {array.shape}, and must be {shape}")
     if not numpy.isfinite(array).all():
-        raise ValueError(f"{name}: holds NaN or infinity")
+        first = numpy.unravel_index(numpy.argmin(numpy.isfinite(array)), shape)
+        place = f" (first at index {', '.join(map(str, first))})" if shape else ""
+        remedy = "\n  = of a path of ionskin.motion take path.normal_force" if name == "forces" else ""
+        raise ValueError(f"{name}: holds NaN or infinity{place}{remedy}")
     return array
 
 

@@ -6,6 +6,7 @@ import numpy
 from ...errors import CaseError
 
 MOST_ROWS = 1_000_000  # waypoints of a path
+COARSE = 0.05  # s between time stamps that tell rows apart too badly
 
 
 class Channels:
@@ -19,12 +20,14 @@ class Channels:
         self.time, self.values = time, values
 
     @classmethod
-    def cleaned(cls, time, values, notes):
+    def cleaned(cls, time, values, notes, source):
         """Makes channels of raw rows: leaves out rows that lack a number, sorts by time, averages rows of one instant.
 
-        notes  list to which a sentence on each change is added
+        notes   list to which a sentence on each change is added
+        source  file and column of the times, for messages
 
-        Raises CaseError when fewer than two instants are left.
+        Raises CaseError when fewer than two instants are left, or when different rows have the same instant because the
+        stamps are cut to seconds or tenths.
         """
         known = numpy.isfinite(time)
         for one in values.values():
@@ -39,17 +42,26 @@ class Channels:
             order = numpy.argsort(time, kind="stable")
             time, values = time[order], {name: one[order] for name, one in values.items()}
         instants, place = numpy.unique(time, return_inverse=True)
-        if len(instants) < len(time):
-            notes.append(f"{len(time) - len(instants)} stamps repeat the one before: their rows are averaged")
-            counts = numpy.bincount(place)
-            values = {name: _means(one, place, counts) for name, one in values.items()}
         if len(instants) < 2:
-            raise CaseError("the recording holds one instant alone\n  = name the column of times with --column time=NAME")
+            raise CaseError(f"{source}: all {len(time)} rows have one time stamp\n  = name the column of times with --column "
+                            "time=NAME")
+        if len(instants) < len(time):
+            counts = numpy.bincount(place)
+            means = {name: _means(one, place, counts) for name, one in values.items()}
+            if len(instants) < 0.5 * len(time):
+                _require_fine(instants, len(time), _differ(values, means, place), notes, source)
+            else:
+                notes.append(f"{len(time) - len(instants)} stamps repeat the one before: their rows are averaged")
+            values = means
         steps = numpy.diff(instants)
         if steps.max() > 10 * numpy.median(steps) and steps.max() > 0.1:
             notes.append(f"a gap of {steps.max():.4g} s, where the interval is {numpy.median(steps):.4g} s: straight lines go "
                          "over it")
         return cls(instants - instants[0], values)
+
+    def interval(self):
+        """Median interval between the rows [s]."""
+        return float(numpy.median(numpy.diff(self.time)))
 
     def at(self, time):
         """Interpolates the channels linearly at the instants `time` [s] and returns them as Channels."""
@@ -73,8 +85,8 @@ class Channels:
         Beyond its ends the recording is continued by its end values. Raises CaseError when the frequency is too high or too low
         for the recording.
         """
-        step = float(numpy.median(numpy.diff(self.time)))
-        deviation = numpy.sqrt(numpy.log(2)) / (2 * numpy.pi * frequency) / step
+        step = self.interval()
+        deviation = _deviation(frequency) / step
         count = self.time[-1] / step
         if deviation < 0.3:
             raise CaseError(f"--filter {frequency:.6g} Hz is above what rows every {step:.4g} s hold\n"
@@ -83,10 +95,46 @@ class Channels:
             raise CaseError(f"--filter {frequency:.6g} Hz is slower than the recording of {self.time[-1]:.4g} s, or that has "
                             "too many rows\n  = choose a higher frequency, or a shorter recording")
         even = self.at(numpy.arange(int(count) + 1) * step)
-        reach = int(numpy.ceil(4 * deviation))
-        kernel = numpy.exp(-0.5 * (numpy.arange(-reach, reach + 1) / deviation) ** 2)
-        smooth = {name: _convolved(one, kernel / kernel.sum(), reach) for name, one in even.values.items()}
+        kernel = _kernel(deviation)
+        smooth = {name: _convolved(one, kernel, len(kernel) // 2) for name, one in even.values.items()}
         return Channels(even.time, smooth).at(self.time)
+
+
+def noise_share(frequency, interval):
+    """Standard deviation of white noise behind the low-pass of Channels.filtered over that before it.
+
+    frequency  of the filter [Hz]
+    interval   time between samples of the noise [s]
+    """
+    return float(numpy.sqrt(numpy.sum(_kernel(_deviation(frequency) / interval) ** 2)))
+
+
+def _deviation(frequency):
+    """Standard deviation of the Gaussian that has half the power at the frequency [Hz], in seconds."""
+    return numpy.sqrt(numpy.log(2)) / (2 * numpy.pi * frequency)
+
+
+def _kernel(deviation):
+    """Gaussian [odd number of samples] of a standard deviation in samples, with the sum 1."""
+    reach = int(numpy.ceil(4 * deviation))
+    kernel = numpy.exp(-0.5 * (numpy.arange(-reach, reach + 1) / deviation) ** 2)
+    return kernel / kernel.sum()
+
+
+def _differ(values, means, place):
+    """True if rows of one instant differ from each other."""
+    return any(numpy.abs(one - means[name][place]).max() > 1e-9 * numpy.abs(one).max() for name, one in values.items())
+
+
+def _require_fine(instants, rows, differ, notes, source):
+    """Reports that most stamps repeat. Raises CaseError where they are too coarse to tell rows apart that differ."""
+    resolution = float(numpy.diff(instants).min())
+    told = (f"{source}: the time stamps have a resolution of {resolution:.3g} s: {rows} rows have {len(instants)} different "
+            "stamps")
+    if differ and resolution > COARSE:
+        raise CaseError(f"{told}\n  = write the stamps with the fractions of a second, name a column that has them with --column "
+                        "\"time=NAME [unit]\", or keep one row of each stamp")
+    notes.append(f"{told}, and the rows of one stamp are averaged" + (": is there a column of finer times?" if differ else ""))
 
 
 def _columns(one, work):

@@ -142,9 +142,14 @@ def unit_by_name(column):
     return {"n": "N"}.get(match[1], match[1]) if match else None
 
 
+def stamp_roles(found):
+    """Roles of the columns that give the time: "seconds" and "nanoseconds", or "time"."""
+    return ("seconds", "nanoseconds") if "seconds" in found and "nanoseconds" in found else ("time",)
+
+
 def instants(found, notes):
     """Array [rows] of seconds since the first time stamp, and that stamp [s]. Raises CaseError without a column of times."""
-    if "seconds" in found and "nanoseconds" in found:
+    if len(stamp_roles(found)) == 2:
         seconds, nanoseconds = found["seconds"], found["nanoseconds"]
         notes.append(f"time: {seconds.name} and {nanoseconds.name}")
         return seconds.values + 1e-9 * nanoseconds.values, seconds.first + 1e-9 * nanoseconds.first

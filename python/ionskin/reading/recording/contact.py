@@ -12,18 +12,42 @@ def noise(force):
     return 1.4826 * float(numpy.median(numpy.abs(numpy.diff(force, 2)))) / numpy.sqrt(6) if len(force) >= FEW else 0.0
 
 
+def steady(force):
+    """Force without the rows that stand alone, as a spike of a sensor does: medians of three rows, array [rows] [N].
+
+    It is the force itself where nothing but noise would be left, as with taps that last one row each.
+    """
+    if len(force) < 3:
+        return force
+    around = numpy.pad(force, 1, mode="reflect")
+    middle = numpy.median([around[:-2], around[1:-1], around[2:]], axis=0)
+    return middle if numpy.ptp(middle) > 10 * noise(force) else force
+
+
 def rest_level(force):
     """Force at rest [N]: median of the rows with the least force, in which the finger is off the skin."""
     return float(numpy.median(force[force <= numpy.quantile(force, 0.1) + 3 * noise(force)]))
 
 
-def threshold(force):
+def threshold(force, share=1.0):
     """Force above the level at rest from which the finger touches [N].
 
-    It is the larger of five standard deviations of the noise and 1/50 of the largest force above the level at rest.
+    It is the larger of five standard deviations of the noise and 1/50 of the largest steady force above the level at
+    rest.
+
+    force  array [rows] as the sensor recorded it, neither resampled nor filtered [N]
+    share  share of the noise that a later filter leaves
+    """
+    return max(5 * share * noise(force), 0.02 * (float(steady(force).max()) - rest_level(force)))
+
+
+def spike(force):
+    """Row that departs most from the force at rest, of either sign, if it stands alone: more than three times as far as
+    the steady force. None otherwise.
     """
     level = rest_level(force)
-    return max(5 * noise(force), 0.02 * (float(force.max()) - level))
+    row = int(numpy.argmax(numpy.abs(force - level)))
+    return row if abs(force[row] - level) > 3 * numpy.abs(steady(force) - level).max() + 5 * noise(force) else None
 
 
 def compresses(force, zeroed):
@@ -33,6 +57,7 @@ def compresses(force, zeroed):
 
     zeroed  True if 0 is known to mean no force
     """
+    force = steady(force)
     most, ends = numpy.abs(force).max(), max(1, len(force) // 20)
     first, last = float(numpy.median(force[:ends])), float(numpy.median(force[-ends:]))
     offset = not zeroed and min(abs(first), abs(last)) > 0.2 * most and abs(first - last) < 0.2 * most

@@ -60,13 +60,25 @@ def axes(x_axis, y_axis):
         if len(parts) != 3 or not all(_splits(part) for part in parts):
             raise CaseError(f"{name} = {text!r}: three numbers are wanted\n  = such as 0,1,0")
         rows.append(numpy.array([float(part) for part in parts]))
+        if not 0 < numpy.linalg.norm(rows[-1]) < numpy.inf:
+            raise CaseError(f"{name} {_shown(rows[-1])} is not a direction\n  = give one, such as 0,1,0")
     lengths = [numpy.linalg.norm(row) for row in rows]
-    if min(lengths) == 0 or abs(rows[0] @ rows[1]) > 1e-3 * lengths[0] * lengths[1]:
-        raise CaseError(f"the axes {x_axis} and {y_axis} are not perpendicular\n  = give two directions that are")
+    cosine = rows[0] @ rows[1] / (lengths[0] * lengths[1])
+    if abs(cosine) > 1e-3:
+        right = numpy.cross((0, 0, 1), rows[0])
+        remedy = f"such as --y-axis={_shown(right)}" if right.any() else "such as --y-axis 0,1,0"
+        raise CaseError(f"--x-axis {_shown(rows[0])} and --y-axis {_shown(rows[1])} are not perpendicular, but at "
+                        f"{numpy.degrees(numpy.arccos(numpy.clip(cosine, -1, 1))):.4g} degrees; without --x-axis the skin's x is "
+                        f"1,0,0, and without --y-axis its y is 0,1,0\n  = give both, perpendicular to each other, {remedy}")
     x = rows[0] / lengths[0]
     y = rows[1] - (rows[1] @ x) * x
     y /= numpy.linalg.norm(y)
     return numpy.array([x, y, numpy.cross(x, y)])
+
+
+def _shown(axis):
+    """A direction as the user writes it: "0,-1,0"."""
+    return ",".join(f"{part + 0.0:.6g}" for part in axis)
 
 
 def turned(quaternions, vectors):

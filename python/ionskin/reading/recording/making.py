@@ -7,15 +7,16 @@ import numpy
 
 from ...errors import CaseError
 from . import contact, frame
-from .channels import MOST_ROWS
+from .channels import MOST_ROWS, noise_share
 from .merging import merged
 from .path import Path
+from .tilt import Tilt
 
 LEAD = 0.1  # s before a recording that begins on the skin
 
 
 def motion(recordings, *, columns=(), origin=(0, 0, 0), x_axis=(1, 0, 0), y_axis=(0, 1, 0), tool=None, force_in="skin",
-           level="auto", contact_force=None, tare=False, gap="1 mm", rate=None, filter=None) -> Path:
+           level="auto", contact_force=None, tare=False, gap="1 mm", rate=None, filter=None, angles=False) -> Path:
     """Makes a Path of waypoints for the slider from recordings of a robot: position, and height or normal force.
 
     recordings     CSV file, or several of one clock, of which the first gives the instants
@@ -33,14 +34,18 @@ def motion(recordings, *, columns=(), origin=(0, 0, 0), x_axis=(1, 0, 0), y_axis
     gap            height off the skin where none is recorded, as text with a unit
     rate           frequency at which the recording is resampled, such as "100 Hz"; None to keep the rows
     filter         cut-off frequency of a low-pass without delay, such as "20 Hz"; None for no filter
+    angles         True for a path with the roll, pitch and yaw of the quaternion, up to 5 degrees of tilt; False for an upright
+                   finger
 
     Raises CaseError when a file or an argument cannot be used.
     """
     notes = []
-    channels = merged([recordings] if isinstance(recordings, (str, os.PathLike)) else list(recordings), columns, notes)
+    record = merged([recordings] if isinstance(recordings, (str, os.PathLike)) else list(recordings), columns, notes)
+    channels, share = record.channels, 1.0
     if filter is not None:
         frequency = frame.quantity(filter, "Hz", "--filter")
-        channels = channels.filtered(_positive(frequency, "--filter"))
+        share = noise_share(_positive(frequency, "--filter"), max(channels.interval(), record.sensed.interval()))
+        channels = channels.filtered(frequency)
         notes.append(f"filtered at {frequency:.6g} Hz, without delay")
     if rate is not None:
         before = len(channels.time)
@@ -49,31 +54,85 @@ def motion(recordings, *, columns=(), origin=(0, 0, 0), x_axis=(1, 0, 0), y_axis
     if len(channels.time) > MOST_ROWS:
         raise CaseError(f"the recording has {len(channels.time)} rows\n"
                         f"  = a path may have {MOST_ROWS}: resample it with --rate")
+    if tool is not None:
+        _require_turn(record, "--tool", "leave out --tool where the tip itself is tracked")
+    if force_in == "tool" and level != "height" and "forces" in channels.values and "force" not in channels.values:
+        _require_turn(record, "--force-in tool", "name the force along the normal: --column force=NAME")
     place, height = _on_skin(channels, origin, x_axis, y_axis, tool)
-    zeroed = contact_force is not None and not tare
-    force = None if level == "height" else _normal_force(channels, x_axis, y_axis, force_in, zeroed, notes)
+    force = None if level == "height" else _normal_force(channels, x_axis, y_axis, force_in)
     if level == "force" and force is None:
         raise CaseError("no force is recorded\n  = name its column with --column force=NAME, or take --level height")
     if force is None and height is None:
         raise CaseError("neither a height (z) nor a force is recorded\n  = name one with --column")
     off = _positive(frame.quantity(gap, "m", "--gap"), "--gap")
     if force is not None:
-        height, force = _by_force(force, height if level == "auto" else None, off, contact_force, tare, notes)
+        sensed = _normal_force(record.sensed, x_axis, y_axis, force_in)
+        if not contact.compresses(sensed, contact_force is not None and not tare):
+            notes.append("the sign of the force is turned: compression counts as positive")
+            force, sensed = -force, -sensed
+        above, rest = contact.threshold(sensed, share), contact.rest_level(sensed)
+        row = contact.spike(sensed)
+        if row is not None:
+            notes.append(f"one row alone has {sensed[row]:.4g} N, {record.sensed.time[row]:.4g} s after the first row, and "
+                         f"the others at most {contact.steady(sensed).max():.4g} N: if the sensor erred, empty its cell in the "
+                         "file, and convert it again")
+        height, force = _by_force(force, height if level == "auto" else None, off, above, rest, contact_force, tare, notes)
     else:
         force = numpy.full(len(height), numpy.nan)
     time = channels.time
+    pressed = numpy.isfinite(force)
+    if angles:
+        _require_angles(record, pressed)
+    poses = _angles(channels, frame.axes(x_axis, y_axis), pressed if pressed.any() else height < 0, angles, notes)
     if not height[0] >= 0:
         notes.append(f"the recording begins on the skin: the finger lands there within {LEAD} s before it")
         time = numpy.concatenate(([0], time + LEAD))
         place, height, force = numpy.vstack((place[:1], place)), numpy.append(off, height), numpy.append(numpy.nan, force)
+        poses = None if poses is None else numpy.vstack((poses[:1], poses))
     notes.append(_summary(time, place, height, force))
-    return Path(time, place, height, force, notes)
+    return Path(time, place, height, force, notes, poses)
+
+
+def _require_angles(record, pressed):
+    """Raises CaseError where a path cannot have angles; `pressed` is an array [rows], True where a force is prescribed."""
+    _require_turn(record, "angles=True", "leave out angles=True")
+    if not pressed.any():
+        raise CaseError("angles=True needs a force: a prescribed height is that of the lowest point of the tilted finger, which "
+                        "is not recorded\n  = take level=\"auto\", or leave out angles=True")
+
+
+def _angles(channels, axes, touches, wanted, notes):
+    """Roll, pitch and yaw [rows, 3] [rad] where they are wanted; None otherwise, with a note on a tilt that is left out.
+
+    touches  array [rows]: True in contact
+    wanted   True for a path with angles
+
+    Raises CaseError for a tilt that is too steep.
+    """
+    if "turn" not in channels.values or not touches.any():
+        return None
+    tilt = Tilt(channels.time, channels.values["turn"], axes, touches)
+    if wanted:
+        tilt.require_flat()
+        return tilt.angles
+    told = tilt.sentence()
+    if told:
+        notes.append(f"{told}, which the path leaves out: {tilt.remedy()}")
+    return None
 
 
 def _positive(value, name):
     if not value > 0:
         raise CaseError(f"{name} must be above 0")
     return value
+
+
+def _require_turn(record, option, otherwise):
+    """Raises CaseError, with the remedy `otherwise` beside that of naming columns, where an option needs a quaternion and
+    none is recorded."""
+    if "turn" not in record.channels.values:
+        raise CaseError(f"{option} needs a quaternion, and {record.turnless}\n  = name qx, qy, qz and qw with --column, or "
+                        f"{otherwise}")
 
 
 def _on_skin(channels, origin, x_axis, y_axis, tool):
@@ -90,47 +149,37 @@ def _on_skin(channels, origin, x_axis, y_axis, tool):
                             "  = name them: --column \"x=NAME [unit]\" --column \"y=NAME [unit]\"")
         place = numpy.column_stack((values["flat"], numpy.zeros(len(channels.time))))
     if tool is not None:
-        if "turn" not in values:
-            raise CaseError("--tool needs a quaternion, and the recording has none\n  = name qx, qy, qz and qw with --column")
         place = place + frame.turned(values["turn"], frame.point(tool, "--tool"))
     on_skin = (place - frame.point(origin, "--origin")) @ turn.T
     height = values.get("height", on_skin[:, 2] if "place" in values else None)
     return on_skin[:, :2], height
 
 
-def _normal_force(channels, x_axis, y_axis, force_in, zeroed, notes):
-    """Normal force on the skin [rows] [N], compression positive; None where no force is recorded. Raises CaseError."""
+def _normal_force(channels, x_axis, y_axis, force_in):
+    """Normal force on the skin [rows] [N], of the recorded sign; None where no force is recorded. Raises CaseError."""
     values = channels.values
     if "force" in values or "forces" not in values:
-        force = values.get("force")
-    elif force_in == "skin":
-        force = values["forces"][:, 2]
-    else:
-        forces = values["forces"]
-        if force_in == "tool":
-            if "turn" not in values:
-                raise CaseError("--force-in tool needs a quaternion, and the recording has none\n  = name qx, qy, qz and qw")
-            forces = numpy.column_stack([numpy.sum(forces * frame.turned(_inverse(values["turn"]), axis), axis=1)
-                                         for axis in numpy.eye(3)])
-        force = forces @ frame.axes(x_axis, y_axis)[2]
-    if force is None:
-        return None
-    if not contact.compresses(force, zeroed):
-        notes.append("the sign of the force is turned: compression counts as positive")
-        force = -force
-    return force
+        return values.get("force")
+    forces = values["forces"]
+    if force_in == "skin":
+        return forces[:, 2]
+    if force_in == "tool":
+        forces = numpy.column_stack([numpy.sum(forces * frame.turned(_inverse(values["turn"]), axis), axis=1)
+                                     for axis in numpy.eye(3)])
+    return forces @ frame.axes(x_axis, y_axis)[2]
 
 
 def _inverse(turn):
     return turn * numpy.array([-1, -1, -1, 1])
 
 
-def _by_force(force, height, gap, contact_force, tare, notes):
+def _by_force(force, height, gap, above, rest, contact_force, tare, notes):
     """Height [rows] [m] off the skin and force [rows] [N] on it; each is NaN in rows in which the other is prescribed.
+
+    above, rest  threshold of the contact, and level of the force at rest [N]
 
     Raises CaseError.
     """
-    above, rest = contact.threshold(force), contact.rest_level(force)
     if contact_force is not None:
         above = _positive(frame.quantity(contact_force, "N", "--contact-force"), "--contact-force")
     if tare:
@@ -147,6 +196,10 @@ def _by_force(force, height, gap, contact_force, tare, notes):
                         "  = lower it with --contact-force, or take --level height")
     notes.append(f"touches where the force is above {above:.4g} N, until half of it: {len(touched)} time"
                  f"{'s' if len(touched) > 1 else ''}")
+    faint = sum(force[first:behind].max() < 2 * above for first, behind in touched)
+    if faint and contact_force is None:
+        notes.append(f"{faint} of the {len(touched)} touches stay{'s' if faint == 1 else ''} below twice this threshold: if that "
+                     "is noise, set a larger one with --contact-force")
     if height is None:
         off = numpy.full(len(force), gap)
         notes.append(f"off the skin the height is {1e3 * gap:.4g} mm")

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Merging of several recordings of one clock into channels over one time."""
 
+import dataclasses
+
 import numpy
 
 from ...errors import CaseError
@@ -9,7 +11,7 @@ from .channels import Channels
 
 
 def _recording(path, wanted, notes):
-    """Reads one file: Channels named by their roles, and the first time stamp [s]."""
+    """Reads one file: Channels named by their roles, the first time stamp [s], and why there is no quaternion."""
     notes.append(f"{path}:")
     known = columns.read(path)
     there = {one.name for one in known}
@@ -30,14 +32,21 @@ def _recording(path, wanted, notes):
     passed = [one.name for one in known if one.name and one.name not in used]
     if passed:
         notes.append("not used: " + ", ".join(passed[:8]) + (f" and {len(passed) - 8} more" if len(passed) > 8 else ""))
+    turnless = ""
     if "turn" in values:
-        lengths = numpy.linalg.norm(values["turn"], axis=1)
-        if (lengths == 0).all():  # a tracker of places alone
+        zero = numpy.linalg.norm(values["turn"], axis=1) == 0
+        names = ", ".join(found[role].name for role in ("qx", "qy", "qz", "qw"))
+        if zero.all():  # a tracker of places alone
             notes.append("the quaternion is 0 in every row, and left out")
             del values["turn"]
+            turnless = f"that of {path} ({names}) is 0, which is no orientation, in row 1 and all others"
         else:
-            values["turn"] = _continuous(numpy.where(lengths[:, None] > 0, values["turn"], numpy.nan))
-    return Channels.cleaned(time, values, notes), first + float(numpy.nanmin(time))
+            if zero.any():
+                notes.append(f"the quaternion is 0, which is no orientation, in {zero.sum()} rows, the first of which is row "
+                             f"{numpy.argmax(zero) + 1}")
+            values["turn"] = _continuous(numpy.where(zero[:, None], numpy.nan, values["turn"]))
+    stamps = " and ".join(found[role].name for role in columns.stamp_roles(found))
+    return Channels.cleaned(time, values, notes, f"{path}, {stamps}"), first + float(numpy.nanmin(time)), turnless
 
 
 def _continuous(turn):
@@ -46,8 +55,23 @@ def _continuous(turn):
     return turn * numpy.where(numpy.concatenate(([0], numpy.cumsum(against))) % 2, -1, 1)[:, None]
 
 
-def merged(paths, wanted, notes) -> Channels:
-    """Merges recordings of one clock into Channels at the instants of the first, over the time that all cover.
+@dataclasses.dataclass
+class Merged:
+    """Recordings of one clock over one time.
+
+    channels  all Channels, at the instants of the first recording
+    sensed    Channels of the force and of the quaternion at the instants at which the force was recorded, from the same
+              beginning; `channels` where there are none
+    turnless  why there is no quaternion, as the end of a sentence
+    """
+
+    channels: Channels
+    sensed: Channels
+    turnless: str
+
+
+def merged(paths, wanted, notes) -> Merged:
+    """Merges recordings of one clock at the instants of the first, over the time that all cover.
 
     paths   CSV files
     wanted  texts "ROLE=NAME [unit]" for columns whose names do not tell what they are
@@ -59,7 +83,8 @@ def merged(paths, wanted, notes) -> Channels:
         raise CaseError("no recording is named")
     text = [wanted] if isinstance(wanted, str) else list(wanted)
     _require_known(paths, text)
-    parts = [_recording(path, text, notes) for path in paths]
+    read = [_recording(path, text, notes) for path in paths]
+    parts = [(one, first) for one, first, _ in read]
     base, start = parts[0]
     begin, end = 0.0, float(base.time[-1])
     for other, first in parts[1:]:
@@ -74,7 +99,30 @@ def merged(paths, wanted, notes) -> Channels:
     for other, first in parts[1:]:
         for name, one in other.at(time + start - first).values.items():
             values.setdefault(name, one)
-    return Channels(time - time[0], values)
+    channels = Channels(time - time[0], values)
+    turnless = next((why for *_, why in read if why), "the recording has none")
+    return Merged(channels, _sensed(parts, start + time[0], channels.time[-1]) or channels, turnless)
+
+
+def _sensed(parts, begin, duration):
+    """Channels of the force at its own instants, between the stamp `begin` [s] and so many seconds later.
+
+    None without a force, and where fewer than two rows of it are within this time.
+    """
+    for name in ("force", "forces"):
+        for one, first in parts:
+            if name not in one.values:
+                continue
+            time = one.time + (first - begin)
+            rows = (time >= -1e-9) & (time <= duration + 1e-9)
+            if rows.sum() < 2:
+                return None
+            values = {name: one.values[name][rows]}
+            for other, stamp in parts:
+                if "turn" in other.values:
+                    values.setdefault("turn", other.at(one.time[rows] + (first - stamp)).values["turn"])
+            return Channels(time[rows], values)
+    return None
 
 
 def _require_known(paths, wanted):
