@@ -307,11 +307,14 @@ class Skin:
         return state.tobytes()
 
     def restore(self, state: bytes) -> None:
-        """Restores a state that `save` returned; the time may go back. Raises ValueError, with nothing changed, for a state of
+        """Restores a state that `save` returned, or a row of `Skins.save`; the time may go back. Raises ValueError, with nothing changed, for a state of
         another skin and for a damaged one."""
         if len(state) % 8:
             raise ValueError("state: is none of a skin")
         values = numpy.frombuffer(state)
+        size = self._library.ionskin_live_state_size(self._handle)
+        if len(values) == size + 1:  # of Skins, with its steps of noise
+            values = values[:size]
         if not self._library.ionskin_live_restore(self._handle, pointer(values), len(values)):
             raise ValueError("state: is that of a skin from another file, or damaged: a number is not finite or beyond what a "
                              "step can leave")
