@@ -202,7 +202,8 @@ class Skin:
 
         Returns an array [6, 6]: rows are the forces along x, y, z [N] and the moments about x, y, z [N m], columns the
         translations along x, y, z [m] and the rotations about x, y, z through the slider's centre on the undeformed top face
-        [rad]. Columns 1, 3 and 5 are NaN for a skin that is modelled as one symmetric half.
+        [rad]. Columns 1, 3 and 5 are NaN for a skin that is solved as one symmetric half, as for a path on the middle line of the
+        skin; docs/live.md says how to train the whole.
 
         Raises ValueError if no step led to this state, ArithmeticError if the equations were not solved.
         """
