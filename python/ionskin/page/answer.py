@@ -139,8 +139,9 @@ def mean_over(results):
 
 
 def of_largest_taxel(results):
-    """Sentence on the taxel with the largest sampled current, in a list; [] where taxels have circuits of their own or carry none."""
-    if results.sampled_taxels is None or has_own_circuits(results):
+    """Sentence on the taxel with the largest sampled current, in a list; [] where taxels have circuits of their own or carry none.
+    Of an open electrode no taxel is read."""
+    if results.sampled_taxels is None or has_own_circuits(results) or is_open(results):
         return []
     peaks = {name.removeprefix(TAXEL): largest(results.sampled_taxels, name) for name in results.sampled_taxels if name.startswith(TAXEL)}
     peaks.pop("rest", None)  # of the electrode, between the taxels

@@ -313,6 +313,8 @@ class OtherRuns(unittest.TestCase):
         self.assertEqual(terminal.lines(results)[:2], [lead, electrode])
         self.assertIn("Peak sampled current of a taxel  1.95 µA ± 2.2 %", "\n".join(terminal.lines(results)))
         self.assertEqual(re.search(r'<p class="lead">(.*)</p>', make_report(self.folder).read_text())[1], lead)
+        (self.folder / "case.toml").write_text('[readout]\ncircuit = "open"\n')
+        self.assertEqual(answer.of_largest_taxel(Results(self.folder)), [])
 
     def test_a_page_does_not_tell_the_folders_of_its_machine(self):
         write_run(self.folder)
