@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""A finger strokes a live skin and says when it is about to slip: an environment with the interface of Gymnasium.
+"""A slider strokes a live skin, and slip is announced before it comes: an environment with the interface of Gymnasium.
 
     PYTHONPATH=build/python examples/gymnasium/slip.py skin.live
 
@@ -8,8 +8,12 @@ Definitions:
 
 - Slip. The share of the pressed area that slides is 1 - stick_share. Slip is the first step, 0.12 s or more after the
   landing began, in which it is 1: nothing sticks. The full model tells the same share in its signals.csv.
-- Seen are the currents of the top electrode and of the taxels alone, with white noise of 2.4 uA: one step of a converter
-  of 12 bits over 10 V behind 1 kohm.
+- Seen are the currents of the top electrode and of the taxels alone, with white noise. Its standard deviation is 2.4 uA
+  unless --noise gives another: one step of a converter of 12 bits over 10 V behind 1 kohm. This suits the block of the
+  paper, which presses with 13 to 36 N. The currents of a soft finger are below this noise: choose a finer instrument,
+  and give its noise (sample_noise in the summary.json of a full run with readout.instrument).
+- Signal. The median over touches of the largest current, mean over 5 ms, from 0.12 s on. Below the noise of one reading
+  the example warns.
 - Touches. The finger presses, rests, and is then pulled so slowly that it would slip 80 to 400 ms later. Half of the
   touches go on, a quarter stop after 5 to 30 % of that way, a quarter press harder instead.
 - Detector. A linear discriminant of the logarithms of mean currents over the last 5, 20, 60 and 200 ms, learnt from steps
@@ -39,7 +43,8 @@ except ModuleNotFoundError:  # the interface alone
 STEP = 1e-3  # [s]
 LANDED, STEPS = 120, 750  # steps: from when on a touch is judged, and its length
 LATE = 10  # steps behind slip in which a call still counts
-NOISE = 2.4e-6  # of the currents [A]
+NOISE = 2.4e-6  # of the currents, unless given [A]
+SMALLEST = 1e-15  # [A]; of a current in a logarithm
 WINDOWS = (5, 20, 60, 200)  # steps
 HORIZON = 20  # steps before slip that are learnt as slip
 
@@ -167,11 +172,12 @@ class SlipEnv(gymnasium.Env if gymnasium is not None else object):
 class Detector:
     """A linear discriminant (Fisher 1936, doi 10.1111/j.1469-1809.1936.tb02137.x)."""
 
-    def __init__(self, currents: list, slips: list) -> None:
+    def __init__(self, currents: list, slips: list, noise: float = NOISE) -> None:
+        self.noise = noise
         rows, about = [], []
         for own, slip in zip(currents, slips, strict=True):
             end = len(own) if slip is None else slip + LATE + 1
-            rows.append(features(own)[LANDED:end])
+            rows.append(features(own, noise)[LANDED:end])
             about.append(numpy.arange(LANDED, end) > (end if slip is None else slip - HORIZON))
         rows, about = numpy.vstack(rows), numpy.concatenate(about)
         self.mean, self.scale = rows.mean(0), rows.std(0) + 1e-300
@@ -184,7 +190,7 @@ class Detector:
 
     def __call__(self, currents) -> numpy.ndarray:
         """The score of every step."""
-        return (features(currents) - self.mean) / self.scale @ self.weights
+        return (features(currents, self.noise) - self.mean) / self.scale @ self.weights
 
     def score(self, currents, slip: int | None) -> float:
         """The score of a touch."""
@@ -196,22 +202,45 @@ class Detector:
         return LANDED + int(above[0]) if len(above) else None
 
 
-def features(currents) -> numpy.ndarray:
-    """[step, feature] of currents [step, channel]: logarithms of their means over windows."""
+def means(currents, window: int) -> numpy.ndarray:
+    """[step, channel] of currents [step, channel]: their means over the last steps, as many as the window has."""
     sums = numpy.vstack([numpy.zeros(currents.shape[1]), numpy.cumsum(currents, axis=0)])
     end = numpy.arange(1, len(currents) + 1)
-    return numpy.hstack([numpy.log(numpy.abs(sums[end] - sums[numpy.maximum(end - window, 0)]) / window + NOISE)
-                         for window in WINDOWS])
+    return (sums[end] - sums[numpy.maximum(end - window, 0)]) / window
+
+
+def features(currents, noise: float = NOISE) -> numpy.ndarray:
+    """[step, feature] of currents [step, channel] with a noise [A]: logarithms of their means over windows."""
+    return numpy.hstack([numpy.log(numpy.abs(means(currents, window)) + max(noise, SMALLEST)) for window in WINDOWS])
+
+
+def signal_of(currents: list) -> float:
+    """The signal [A] of touches, given as currents [step, channel] without noise."""
+    return float(numpy.median([numpy.abs(means(own, WINDOWS[0])[LANDED:]).max() for own in currents]))
+
+
+def comparison(signal: float, noise: float) -> list[str]:
+    """Lines of text on signal and noise [A], with a warning where the noise is the larger one."""
+    lines = [f"signal {signal:.2g} A, noise of one reading {noise:.2g} A" + (f": ratio {signal / noise:.2g}" if noise > 0 else "")]
+    if noise > signal:
+        lines.append("warning: the noise is larger than the signal, so that slip may not be recognised; give the noise of a finer "
+                     "instrument by --noise")
+    return lines
 
 
 def measured(skin: Skin, count: int, seed: int, noise: float = NOISE):
     """Currents [step, channel] of random touches with noise, and their steps of slip."""
+    currents, slips, random = touched(skin, count, seed)
+    return [own + noise * random.standard_normal(own.shape) for own in currents], slips
+
+
+def touched(skin: Skin, count: int, seed: int):
+    """Currents [step, channel] of random touches without noise, their steps of slip, and the generator for the noise."""
     random = numpy.random.default_rng(seed)
     touches = Touches(skin)
     ran = skin.batch([touches.draw(random) for _ in range(count)], threads=2)
     currents = [numpy.column_stack([signals[name] for name in channels(skin)]) for signals in ran]
-    return ([own + noise * random.standard_normal(own.shape) for own in currents],
-            [slip_step(signals["stick_share"]) for signals in ran])
+    return currents, [slip_step(signals["stick_share"]) for signals in ran], random
 
 
 def judge(detector: Detector, currents: list, slips: list) -> dict:
@@ -231,10 +260,15 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("file")
     parser.add_argument("--touches", type=int, default=100, help="of the training, and as many to judge by")
-    parser.add_argument("--noise", type=float, default=NOISE, help="of the currents [A]")
+    parser.add_argument("--noise", type=float, default=NOISE,
+                        help="standard deviation of the noise of a reading of your instrument [A]; 2.4e-6, unless given, is one "
+                        "step of a converter of 12 bits over 10 V behind 1 kohm, for the block of the paper")
     arguments = parser.parse_args()
     skin = Skin(arguments.file)
-    detector = Detector(*measured(skin, arguments.touches, 1, arguments.noise))
+    currents, slips, random = touched(skin, arguments.touches, 1)
+    print("\n".join(comparison(signal_of(currents), arguments.noise)), flush=True)
+    noisy = [own + arguments.noise * random.standard_normal(own.shape) for own in currents]
+    detector = Detector(noisy, slips, arguments.noise)
     found = judge(detector, *measured(skin, arguments.touches, 3, arguments.noise))
     quartiles = numpy.quantile(found["leads"], [0.25, 0.5, 0.75]) if found["leads"] else [numpy.nan] * 3
     print("unseen touches: {} slip, {} do not".format(*found["touches"]))

@@ -16,6 +16,7 @@ from .reading import files
 
 
 LARGEST = 1 << 20  # bytes, as the program reads
+TWO_UNITS = re.compile(r"(?:slider\[\d+\]\.)?motion\.preload")  # an indentation or a force
 LIST_ENTRY = re.compile(r"(?P<list>.+)\[(?P<index>\d+)\]")  # slider.start[0]
 
 
@@ -56,6 +57,7 @@ class Case:
     """Case, the input of a run: the text of a case file (TOML) and the changes made to its keys, which are indexed by name.
 
     case["contact.friction"] = 0.2         sets a number in SI units
+    case["motion.preload"] = 0.5           sets a force [N] where the case has a force, an indentation [m] where it has one
     case["motion.preload"] = "0.5 um"      sets a quantity from a text with a unit
     case["skin.layers[1].thickness"]       1.8e-4; reads a number in SI units, a list of them, or a text
     case["slider.start[0]"]                4.5e-3; reads one entry of a list, which can be set as well
@@ -105,7 +107,7 @@ class Case:
         return twin
 
     def __setitem__(self, key: str, value: Any) -> None:
-        edit = _text_of(key, value)
+        edit = _text_of(self, key, value)
         former = dict(self._edits)
         self._edits.pop(key, None)
         self._edits[key] = edit
@@ -159,13 +161,31 @@ class Case:
         return f"Case({self._path}{'; ' + changes if changes else ''})"
 
 
-def _text_of(key: str, value: Any) -> str:
+def unit_of_number(case: Case, key: str) -> str:
+    """SI unit of a number that is given for a key of a case without a unit; "" for texts and unknown keys.
+
+    A key that takes an indentation or a force keeps the unit of the value that the case has. Raises CaseError where the case has none.
+    """
+    if not TWO_UNITS.fullmatch(key):
+        return solver.load().key_unit(key) or ""
+    try:
+        values = solver.load().values(case)
+    except CaseError:
+        values = {}
+    for standing in (key, "motion.preload"):  # which also holds for the sliders of a list
+        if standing in values:
+            return Value(*values[standing]).unit
+    raise CaseError(f'{key}: a number without a unit may be an indentation or a force, and this case has no value whose unit it keeps\n'
+                    '  = write it as a text with its unit, such as "0.5 um" or "0.5 N"')
+
+
+def _text_of(case: Case, key: str, value: Any) -> str:
     """Writes the value of a key as TOML; numbers within a table, or a list of tables, get the units of their own keys."""
     if isinstance(value, Mapping):
-        return "{" + ", ".join(f"{name} = {_text_of(f'{key}.{name}', entry)}" for name, entry in value.items()) + "}"
+        return "{" + ", ".join(f"{name} = {_text_of(case, f'{key}.{name}', entry)}" for name, entry in value.items()) + "}"
     if isinstance(value, (list, tuple)) and value and all(isinstance(entry, Mapping) for entry in value):
-        return "[" + ", ".join(_text_of(f"{key}[{i}]", entry) for i, entry in enumerate(value)) + "]"
-    return toml_text(value, solver.load().key_unit(key) or "")
+        return "[" + ", ".join(_text_of(case, f"{key}[{i}]", entry) for i, entry in enumerate(value)) + "]"
+    return toml_text(value, "" if isinstance(value, str) else unit_of_number(case, key))
 
 
 def _no_such_key(key: str) -> str:

@@ -10,7 +10,7 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 from . import solver
-from .case import Case, toml_text
+from .case import Case, toml_text, unit_of_number
 from .cluster.running import sweep_on_cluster
 from .errors import CaseError, SolverError
 from .results import Results
@@ -72,7 +72,7 @@ def sweep(case: Case, over: Mapping[str, str | Sequence[Any]], output: str | os.
     """
     _require("sampling", sampling, SAMPLINGS)
     _require("only", only, STUDIES[:2])
-    axes = [_axis(key, values, samples > 0) for key, values in over.items()]
+    axes = [_axis(case, key, values, samples > 0) for key, values in over.items()]
     if not axes:
         raise CaseError("the sweep varies nothing\n  = give `over` at least one key with its values")
     with_folder, keep = _folder(output)
@@ -88,11 +88,10 @@ def sweep(case: Case, over: Mapping[str, str | Sequence[Any]], output: str | os.
     return result
 
 
-def _axis(key: str, values: str | Sequence[Any], interval: bool) -> str:
+def _axis(case: Case, key: str, values: str | Sequence[Any], interval: bool) -> str:
     if isinstance(values, str):
         return f"{key}={values}"
-    unit = solver.load().key_unit(key) or ""
-    texts = [toml_text(value, unit) for value in values]
+    texts = [toml_text(value, "" if isinstance(value, str) else unit_of_number(case, key)) for value in values]
     if interval and len(texts) != 2:
         raise CaseError(f"{key}: a sampled sweep takes a pair (lowest, highest), not {len(texts)} values")
     return f"{key}={(':' if interval else ',').join(texts)}"

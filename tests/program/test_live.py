@@ -620,5 +620,23 @@ class LiveTest(ProgramTest):
         self.assertFalse((self.folder / "a.live").exists())
 
 
+class ExampleOfSlip(unittest.TestCase):
+    def test_a_noise_above_the_signal_is_warned_of(self):
+        """Currents of a soft finger: the signal is 0.4 uA, the noise of the example 2.4 uA."""
+        currents = [numpy.full((slip.STEPS, 2), 4e-7)] * 3
+        signal = slip.signal_of(currents)
+        self.assertAlmostEqual(signal, 4e-7)
+        ratio, warning = slip.comparison(signal, slip.NOISE)
+        self.assertIn("signal 4e-07 A, noise of one reading 2.4e-06 A: ratio 0.17", ratio)
+        self.assertIn("warning: the noise is larger than the signal", warning)
+        self.assertEqual(len(slip.comparison(signal, 1e-9)), 1)
+        self.assertEqual(slip.comparison(signal, 0), ["signal 4e-07 A, noise of one reading 0 A"])
+
+    def test_features_resolve_what_the_noise_does_not_hide(self):
+        one, other = (slip.features(numpy.full((10, 1), current), 1e-9)[-1] for current in (1e-8, 4e-7))
+        self.assertGreater((other - one).min(), 2)
+        self.assertTrue(numpy.isfinite(slip.features(numpy.zeros((10, 1)), 0)).all())
+
+
 if __name__ == "__main__":
     unittest.main()

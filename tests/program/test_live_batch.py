@@ -106,6 +106,26 @@ class LiveBatchTest(ProgramTest):
         self.assertEqual(pickle.loads(pickle.dumps(single)).save(), single.save())
         self.assertEqual(copy.deepcopy(single).save(), single.save())
 
+    def test_a_restored_state_repeats_the_noise(self):
+        skins = Skins(self.trained, COUNT, threads=2, noise=1e-7, seed=5)
+        run(skins, 0, 20)
+        states = skins.save()
+        first = run(skins, 20)
+        skins.restore(states)
+        numpy.testing.assert_array_equal(run(skins, 20), first)
+        skins.restore(states[[3]], [3])
+        steps = [skins._library.ionskin_live_skins_noise_steps(skins._handle, i) for i in range(COUNT)]
+        self.assertEqual(steps, [20 if i == 3 else STEPS for i in range(COUNT)])
+        skins.restore(states[:, :-1])  # as earlier versions saved them
+        self.assertFalse((run(skins, 20) == first).all())
+        alone = Skin(self.trained)
+        alone.restore(states[3].tobytes())
+        self.assertEqual(alone.save(), states[3, :-1].tobytes())
+        for wrong in (numpy.nan, -1.0, numpy.inf):
+            states[0, -1] = wrong
+            with self.assertRaisesRegex(ValueError, "environment 0 is of a skin from another file, or damaged"):
+                skins.restore(states)
+
     def test_steps_in_a_process_that_was_forked_behind_a_step(self):
         skins = Skins(self.trained, COUNT, threads=3)
         run(skins, 0, 20)

@@ -84,6 +84,22 @@ class Fingers(ProgramTest):
         self.assertTrue(touching.outside.all())
         self.assertFalse((fingers.step(1e-3, [(low, 1e-3), (high, 1e-3)], forces=[1, 0]).flags & ionskin.live.TOO_NEAR).any())
 
+    def test_a_finger_outside_its_range_is_near_at_the_place_that_was_given(self):
+        """Finger 2 is given a place beside finger 1, and its nearest trained place is 4 mm away."""
+        pair = object.__new__(ionskin.live.Fingers)
+        pair.skins = [types.SimpleNamespace(footprint=(-1e-3, -1e-3, 1e-3, 1e-3), core_thickness=2e-4,
+                                            names=("slider_x", "slider_y", "normal_force"))] * 2
+        pair._names()
+        taken = numpy.array([[5e-3, 3e-3, 1, 9e-3, 3e-3, 1]] * 2)
+        flags = numpy.zeros((2, 2), dtype=numpy.uint32)
+        pair._flag_near(taken, numpy.array([[[5e-3, 3e-3], [9e-3, 3e-3]], [[5e-3, 3e-3], [7.2e-3, 3e-3]]]), flags)
+        self.assertEqual(flags.tolist(), [[0, 0], [ionskin.live.TOO_NEAR] * 2])
+
+    @long_test
+    def test_one_file_is_one_finger(self):
+        for one in (str(self.files()[0]), self.files()[0], ionskin.live.Skin(self.files()[0])):
+            self.assertEqual(len(ionskin.live.Fingers(one)), 1)
+
     @long_test
     def test_skins_that_make_no_fingers(self):
         one = ionskin.live.Skin(self.files()[0])

@@ -44,6 +44,23 @@ class Case(PackageTest):
         self.assertEqual({key: value.value for key, value in again.values().items()},
                          {key: value.value for key, value in self.case.values().items()})
 
+    def test_a_number_keeps_the_dimension_of_the_value_that_stands_there(self):
+        self.case["motion.preload"] = "2 N"
+        self.case["motion.preload"] = 0.5
+        self.assertEqual(self.case.value("motion.preload")[:2], (0.5, "N"))
+        self.case["motion.preload"] = "0.5 um"
+        self.case["motion.preload"] = 0.7e-6
+        self.assertEqual(self.case.value("motion.preload")[:2], (0.7e-6, "m"))
+        pinch = ionskin.Case.from_file(CASES / "pinch.toml")
+        pinch["slider[1].motion.preload"] = 0.25
+        self.assertEqual(pinch.value("slider[1].motion.preload").unit, "N")
+        unknown = ionskin.Case("\n".join(line for line in self.case.text.splitlines() if not line.startswith("preload")))
+        with self.assertRaisesRegex(ionskin.CaseError, "may be an indentation or a force"):
+            unknown["motion.preload"] = 0.5
+        unknown["motion.preload"] = "0.5 um"
+        with self.assertRaisesRegex(ionskin.CaseError, "may be an indentation or a force"):
+            ionskin.sweep(ionskin.Case("[skin]\n"), {"motion.preload": [0.5, 1.0]})
+
     def test_one_entry_of_a_list(self):
         self.case["slider.start[0]"] = 0.0047
         self.assertEqual(self.case["slider.start[0]"], 0.0047)

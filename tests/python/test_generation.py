@@ -11,6 +11,7 @@ import numpy
 import ionskin
 from ionskin.evaluation import Outcome
 from ionskin.generation import Touches
+from ionskin.generation.__main__ import announcement
 from ionskin.generation.store import COLUMNS, SIGNALS, tables, taxel_signals, unit_of
 from package import CASES, PROGRAM, PackageTest, small_case
 
@@ -31,6 +32,17 @@ class Generation(PackageTest):
         with self.assertRaises(ionskin.CaseError) as raised:
             Touches(small_case(), 1, vary=["slider.start[0]=uniform(14 mm, 14.5 mm)"])
         self.assertIn("no valid case", str(raised.exception))
+
+    def test_what_varies_and_what_stays_is_told(self):
+        case = ionskin.Case.from_file(CASES / "finger.toml")
+        lines = "\n".join(announcement(Touches(case, 1), "data"))
+        self.assertIn("the same in all touches: motion.direction, motion.touchdown, motion.slide, motion.lift, and every other key", lines)
+        self.assertIn('--vary "KEY=DISTRIBUTION"', lines)
+        self.assertIn("no errors are stated for these touches", lines)
+        self.assertIn("ionskin run data/case.toml", lines)
+        wider = Touches(case, 1, vary=["slider.start[0]=uniform(4 mm, 9 mm)", "slider.start[1]=uniform(2 mm, 4 mm)",
+                                       "motion.slide=uniform(0.4 s, 1.5 s)", "motion.touchdown=uniform(0.3 s, 0.8 s)"])
+        self.assertIn("the same in all touches: motion.direction, motion.lift,", "\n".join(announcement(wider, "data")))
 
     def test_signals_and_labels(self):
         case = small_case()

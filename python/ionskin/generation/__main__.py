@@ -9,6 +9,8 @@ from ..evaluation.command import SOLVER_GAVE_UP, Progress, base_case, engine, gi
 from . import store
 from .touches import Touches
 
+FIXED = ("motion.direction", "motion.touchdown", "motion.slide", "motion.lift")  # told by name where they do not vary
+
 
 def main() -> int:
     """Runs the command line of `ionskin generate` and returns the exit code."""
@@ -23,8 +25,7 @@ def main() -> int:
                        resume=arguments.resume, overwrite=arguments.overwrite, free=("touches",))
     kept.write("case.toml", touches.case.text)
     if not arguments.quiet:
-        for key, written in varying.items():
-            print(f"{key} = {written}")
+        print("\n".join(announcement(touches, arguments.output)))
         if touches.redrawn:
             print(f"{touches.redrawn} draws made no valid case and were drawn again")
     finished = kept.finished()
@@ -46,6 +47,23 @@ def main() -> int:
         print(f"{len(touches.trials)} touches, {len(failed)} failed; {rate}{size / len(touches.trials):.0f} bytes a touch")
         print(f"store: {arguments.output}/touches.h5")
     return SOLVER_GAVE_UP if len(failed) == len(touches.trials) else 0
+
+
+def announcement(touches: Touches, folder: str) -> list[str]:
+    """Lines of text, printed before the touches run: what varies, what stays, how to widen it, and what is known of errors.
+
+    folder  output folder of the command
+    """
+    case = touches.case
+    lines = [f"{one.key} = {one.written}" for one in touches.parameters]
+    varying = {one.key for one in touches.parameters}
+    fixed = [key for key in FIXED if key in case and key not in varying]
+    if fixed:
+        lines.append(f"the same in all touches: {', '.join(fixed)}, and every other key of the case")
+    lines.append('to vary more keys, or more widely: --vary "KEY=DISTRIBUTION", such as --vary "motion.slide=uniform(0.5 s, 2 s)"')
+    lines.append(f"no errors are stated for these touches (preset {case['numerics.preset']}); the run of the case itself states them: "
+                 f"ionskin run {folder}/case.toml -o OUT")
+    return lines
 
 
 if __name__ == "__main__":

@@ -28,14 +28,17 @@ class Fingers:
     cells come closer than 2.5 core thicknesses, both get the flag TOO_NEAR.
     """
 
-    def __init__(self, skins: Sequence[Skin | str | os.PathLike]) -> None:
+    def __init__(self, skins: Skin | str | os.PathLike | Sequence[Skin | str | os.PathLike]) -> None:
         """Combines skins.
 
-        skins  1 to 4 skins, or paths of their files; a `Skin` object is used itself, not copied
+        skins  1 to 4 skins, or paths of their files; a `Skin` object is used itself, not copied. One skin, or one path, is one
+               finger
 
         Raises ValueError for another number of skins, for one object given twice, for skins whose layers, materials, ions,
         coupling, water or readout differ, and for a coupling under which the charges of several fingers are no sums.
         """
+        if isinstance(skins, (Skin, str, os.PathLike)):
+            skins = [skins]
         self.skins = tuple(skin if isinstance(skin, Skin) else Skin(skin) for skin in skins)
         if not 1 <= len(self.skins) <= MOST_FINGERS:
             raise ValueError(f"skins: {len(self.skins)} fingers, and must be 1 to {MOST_FINGERS}")
@@ -126,23 +129,29 @@ class Fingers:
             flags[:, finger] = own.flags
             for column, target in enumerate(targets):
                 signals[:, target] += own.array[:, column]
-        self._flag_near(signals, flags)
+        self._flag_near(signals, positions, flags)
         return Signals(self._columns, signals, flags)
 
-    def _flag_near(self, signals: numpy.ndarray, flags: numpy.ndarray) -> None:
+    def _flag_near(self, signals: numpy.ndarray, given: numpy.ndarray, flags: numpy.ndarray) -> None:
+        """Flags fingers that touch and are too near each other, at the places [step, finger, 2] that were given or at those
+        within the trained range that were taken instead."""
         def of(name: str, finger: int) -> numpy.ndarray:
             return signals[:, self._columns[_name(name, finger + 1)]]
 
+        taken = numpy.stack([numpy.column_stack([of("slider_x", finger), of("slider_y", finger)]) for finger in range(len(self))], axis=1)
         boxes = [skin.footprint for skin in self.skins]
         reach = _REACH * self.skins[0].core_thickness
         for one in range(len(self)):
             for other in range(one):
-                gaps = []
-                for axis, name in enumerate(("slider_x", "slider_y")):
-                    apart = of(name, one) - of(name, other)
-                    gaps.append(numpy.maximum(apart + boxes[one][axis] - boxes[other][2 + axis],
-                                              boxes[other][axis] - boxes[one][2 + axis] - apart).clip(min=0))
-                near = ((numpy.hypot(*gaps) < reach) & (of("normal_force", one) > 0) & (of("normal_force", other) > 0))
+                near = numpy.zeros(len(signals), dtype=bool)
+                for places in (given, taken):
+                    gaps = []
+                    for axis in range(2):
+                        apart = places[:, one, axis] - places[:, other, axis]
+                        gaps.append(numpy.maximum(apart + boxes[one][axis] - boxes[other][2 + axis],
+                                                  boxes[other][axis] - boxes[one][2 + axis] - apart).clip(min=0))
+                    near |= numpy.hypot(*gaps) < reach
+                near &= (of("normal_force", one) > 0) & (of("normal_force", other) > 0)
                 flags[near, one] |= TOO_NEAR
                 flags[near, other] |= TOO_NEAR
 

@@ -202,7 +202,8 @@ class Skin:
 
         Returns an array [6, 6]: rows are the forces along x, y, z [N] and the moments about x, y, z [N m], columns the
         translations along x, y, z [m] and the rotations about x, y, z through the slider's centre on the undeformed top face
-        [rad]. Columns 1, 3 and 5 are NaN for a skin that is modelled as one symmetric half.
+        [rad]. Columns 1, 3 and 5 are NaN for a skin that is solved as one symmetric half, as for a path on the middle line of the
+        skin; docs/live.md says how to train the whole.
 
         Raises ValueError if no step led to this state, ArithmeticError if the equations were not solved.
         """
@@ -307,11 +308,14 @@ class Skin:
         return state.tobytes()
 
     def restore(self, state: bytes) -> None:
-        """Restores a state that `save` returned; the time may go back. Raises ValueError, with nothing changed, for a state of
+        """Restores a state that `save` returned, or a row of `Skins.save`; the time may go back. Raises ValueError, with nothing changed, for a state of
         another skin and for a damaged one."""
         if len(state) % 8:
             raise ValueError("state: is none of a skin")
         values = numpy.frombuffer(state)
+        size = self._library.ionskin_live_state_size(self._handle)
+        if len(values) == size + 1:  # of Skins, with its steps of noise
+            values = values[:size]
         if not self._library.ionskin_live_restore(self._handle, pointer(values), len(values)):
             raise ValueError("state: is that of a skin from another file, or damaged: a number is not finite or beyond what a "
                              "step can leave")

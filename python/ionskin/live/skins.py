@@ -14,6 +14,7 @@ from .signals import Signals
 from .skin import Skin
 
 _LARGEST_SEED = 2**32 - 1
+_MOST_STEPS = 2**53  # which a number of a state holds exactly
 _BLOCK = 64  # environments that a thread takes at a time
 
 
@@ -223,28 +224,32 @@ class Skins:
         if isinstance(seed, bool) or not isinstance(seed, (int, numpy.integer)) or not 0 <= seed <= _LARGEST_SEED:
             raise ValueError(f"seed: an integer from 0 to {_LARGEST_SEED} is wanted, not {seed!r}")
         self._noise, self._seed = deviations.copy(), int(seed)
-        self._take_noise(numpy.zeros(shape, dtype=numpy.uint64))
+        for environment in range(self._count):
+            self._take_noise(environment, 0)
 
-    def _take_noise(self, steps: numpy.ndarray) -> None:
-        for i, (deviation, step) in enumerate(zip(self._noise.tolist(), steps.tolist(), strict=True)):
-            self._library.ionskin_live_skins_set_noise(self._handle, i, deviation, (self._seed << 32) + i, step)
+    def _take_noise(self, environment: int, steps: int) -> None:
+        self._library.ionskin_live_skins_set_noise(self._handle, environment, float(self._noise[environment]),
+                                                   (self._seed << 32) + environment, steps)
 
     def save(self, environments=None) -> numpy.ndarray:
         """Saves the states of environments, as an array [environment, number] that `restore` of skins of the same file
-        takes.
+        takes. The last number of a state is the number of steps that the environment has taken with noise.
 
         environments  mask or indices, as `reset` takes them; None for all
         """
         chosen = self._chosen(environments)
-        states = numpy.empty((len(chosen), self._library.ionskin_live_state_size(self._skin._handle)))
+        states = numpy.empty((len(chosen), self._library.ionskin_live_state_size(self._skin._handle) + 1))
         for state, environment in zip(states, chosen.tolist(), strict=True):
             self._library.ionskin_live_skins_save(self._handle, environment, pointer(state))
+            state[-1] = self._library.ionskin_live_skins_noise_steps(self._handle, environment)
         return states
 
     def restore(self, states, environments=None) -> None:
-        """Restores saved states; the time of an environment may go back by this.
+        """Restores saved states; the time of an environment may go back by this. Its sequence of noise goes back, too, so that
+        equal steps after it have equal noise. Friction, and deviation and seed of the noise, are not part of a state.
 
-        states        array [environment, number], as `save` returns it, with one row for each chosen environment
+        states        array [environment, number], as `save` returns it, with one row for each chosen environment; rows without
+                      the number of steps, of earlier versions or of a `Skin`, leave the sequence of noise as it is
         environments  mask or indices, as `reset` takes them; None for all
 
         Raises ValueError when a state is of a skin from another file or damaged; environments before it are restored then.
@@ -253,9 +258,14 @@ class Skins:
         states = numpy.ascontiguousarray(states, dtype=float)
         if states.ndim != 2 or len(states) != len(chosen):
             raise ValueError(f"states: the shape is {states.shape}, and must be ({len(chosen)}, size of a state)")
+        size = self._library.ionskin_live_state_size(self._skin._handle)
+        with_noise = states.shape[1] == size + 1
         for state, environment in zip(states, chosen.tolist(), strict=True):
-            if not self._library.ionskin_live_skins_restore(self._handle, environment, pointer(state), len(state)):
+            if (with_noise and not 0 <= state[-1] < _MOST_STEPS or not self._library.ionskin_live_skins_restore(
+                    self._handle, environment, pointer(state), size if with_noise else len(state))):
                 raise ValueError(f"states: that for environment {environment} is of a skin from another file, or damaged")
+            if with_noise:
+                self._take_noise(environment, int(state[-1]))
 
     def copy(self) -> "Skins":
         """Makes an independent batch with the same states, friction and noise."""
@@ -281,7 +291,8 @@ class Skins:
         self.restore(kept["states"])
         self.set_friction(kept["friction"])
         self._noise, self._seed = kept["noise"].copy(), kept["seed"]
-        self._take_noise(kept["steps"])
+        for environment, steps in enumerate(kept["steps"].tolist()):
+            self._take_noise(environment, steps)
 
 
 def _count(name: str, value) -> int:

@@ -10,7 +10,9 @@ from ..charts.spans import contact_spans, sampling_interval
 from ..words import percent, quantity
 from . import report_text
 
-NEAR = 0.03  # of the length of a run: an instant so near an event belongs to it
+NEAR = 0.03  # of the length of a run: an instant so near an event is told by the time between them
+TAXEL = "current_top_"
+WHILE = {"touchdown": ", while the slider lands", "lift": ", while the slider lifts"}
 
 
 def largest(table, name):
@@ -30,19 +32,42 @@ def with_error(results, metric, fallback, unit):
     return report_text.value(results, metric) + (f" ({error})" if error else "")
 
 
-def event(results, instant):
-    """Words for an instant [s] and the event near it: " at 0.5 s, as contact begins"."""
-    words = f" at {instant:.4g} s"
+def events(results):
+    """Instants [s] of the beginnings and ends of contact and of sliding, with their words, in order of time; [] without a contact."""
     spans = contact_spans(results)
     if not spans:
-        return words
-    ends = [*((span.start, f"{what}") for span, what in zip(spans, ["contact begins"] + [""] * len(spans))), (spans[-1].end, "contact ends")]
-    ends += [(span.start, "sliding begins") for span in spans if span.phase == "slide"]
-    ends += [(span.end, "contact ends") for span in spans if span.phase == "lift"]
-    ends += [(span.start, "contact begins") for span in spans if span.phase == "touchdown"]
+        return []
+    found = {(spans[0].start, "contact begins")}
+    if spans[-1].end < results.signals["time"][-1]:
+        found.add((spans[-1].end, "contact ends"))
+    found |= {(span.start, "contact begins") for span in spans if span.phase == "touchdown"}
+    found |= {(span.start, "sliding begins") for span in spans if span.phase == "slide"}
+    found |= {(span.end, "contact ends") for span in spans if span.phase == "lift"}
+    return sorted(found)
+
+
+def event(results, instant, *, mean=False):
+    """Words for an instant [s] and the event by it: " at 0.5 s, as contact begins", " at 0.497 s, 3 ms before sliding begins".
+
+    mean  True if what is read at the instant is a mean over the sampling interval before it
+
+    An event names the instant if it lies at most a sampling interval before it; what a mean shows began before the interval ended.
+    """
+    words = f" at {instant:.4g} s"
     reach = NEAR * (results.signals["time"][-1] - results.signals["time"][0])
-    near = [(abs(at - instant), what) for at, what in ends if what and abs(at - instant) < reach]
-    return words + (f", as {min(near)[1]}" if near else "")
+    sample = sampling_interval(results) * (1 + 1e-6)
+    slack = 1e-6 * max(sample, reach)
+    now = [what for at, what in events(results) if instant - sample <= at <= (instant - slack if mean else instant + slack)]
+    if now:
+        return f"{words}, as {' and '.join(dict.fromkeys(now))}"
+    near = [(abs(at - instant), at, what) for at, what in events(results) if abs(at - instant) < reach]
+    if not near:
+        return words
+    apart, at, what = min(near)
+    if apart <= slack:
+        return f"{words}, just before {what}"
+    phase = next((span.phase for span in contact_spans(results) if span.start < instant <= span.end), None)
+    return f"{words}, {quantity(apart, 's', 2)} {'after' if at < instant else 'before'} {what}{WHILE.get(phase, '') if at > instant else ''}"
 
 
 def of_circuit(results):
@@ -74,7 +99,7 @@ def of_own_taxel(results):
     name = max(names, key=lambda one: largest(results.sampled_taxels, one)[1])
     instant, peak = largest(results.sampled_taxels, name)
     read = with_error(results, "peak_taxel_voltage", peak, unit) if unit == "V" else taxel_current(results, peak)
-    return f"{words} {where(results, name.removeprefix(prefix)[:20])} reads up to {read}{event(results, instant)}."
+    return f"{words} {where(results, name.removeprefix(prefix)[:20])} reads up to {read}{event(results, instant, mean=True)}."
 
 
 def taxel_current(results, peak):
@@ -103,10 +128,31 @@ def of_current(results):
     instant, peak = largest(sampled, "current_difference")
     if peak == 0:
         return "An ammeter between the electrodes reads nothing: no current flows from one to the other."
-    over = sampling_interval(results)
-    mean = f", the mean over {quantity(round(over, 9), 's')}" if over else ""
     return (f"An ammeter between the electrodes reads up to {with_error(results, 'peak_sampled_current_difference', peak, 'A')}"
-            f"{event(results, instant)}{mean}.")
+            f"{event(results, instant, mean=True)}{mean_over(results)}.")
+
+
+def mean_over(results):
+    """Words for the interval over which a sampled current is a mean; "" where nothing is sampled."""
+    over = sampling_interval(results)
+    return f", the mean over {quantity(round(over, 9), 's')}" if over else ""
+
+
+def of_largest_taxel(results):
+    """Sentence on the taxel with the largest sampled current, in a list; [] where taxels have circuits of their own or carry none.
+    Of an open electrode no taxel is read."""
+    if results.sampled_taxels is None or has_own_circuits(results) or is_open(results):
+        return []
+    peaks = {name.removeprefix(TAXEL): largest(results.sampled_taxels, name) for name in results.sampled_taxels if name.startswith(TAXEL)}
+    peaks.pop("rest", None)  # of the electrode, between the taxels
+    if not peaks:
+        return []
+    name = max(peaks, key=lambda one: peaks[one][1])
+    instant, peak = peaks[name]
+    if not peak:
+        return []
+    return [f"Of {len(peaks)} taxels {name[:20]} reads most: up to {taxel_current(results, peak)}{event(results, instant, mean=True)}"
+            f"{mean_over(results)}."]
 
 
 def of_mechanics(results):
@@ -135,13 +181,17 @@ def of_noise(results):
     return [f"The noise of one reading is {quantity(metric('sample_noise'), unit, 2)} rms ({parts}), {verdict}."]
 
 
+def readings(results):
+    """Sentences on what an instrument reads, those on a taxel first; a sentence on the lack of readings where there are none."""
+    whole = of_own_taxel(results) or of_circuit(results) or of_current(results) or of_mechanics(results)
+    return of_largest_taxel(results) + ([whole] if whole else []) or ["This run has no currents to read."]
+
+
 def sentences(results):
-    """Opening sentences of a run's page: the first says what an instrument reads, further ones on what this depends."""
-    first = of_own_taxel(results) or of_circuit(results) or of_current(results) or of_mechanics(results)
-    if first is None:
-        return ["This run has no currents to read."]
-    found = [first, *of_noise(results)]
-    if "peak_open_circuit_voltage" in results.metrics and "V" not in first:
+    """Opening sentences of a run's page: the first ones say what an instrument reads, further ones on what this depends."""
+    told = readings(results)
+    found = [*told, *of_noise(results)]
+    if "peak_open_circuit_voltage" in results.metrics and "V" not in told[-1]:
         found.append(f"Left open, the cell would give up to {with_error(results, 'peak_open_circuit_voltage', 0.0, 'V')} at once.")
     coefficient = results.case.get("coupling", {}).get("coefficient")
     if coefficient and results.signals.has("current_difference") and report_text.law(results) != "poroelastic":

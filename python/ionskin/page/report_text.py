@@ -2,12 +2,12 @@
 """Words and numbers of the report of a run, taken from its Results."""
 
 from ..analysis.derived import common_is_noise
-from ..charts.readout import is_open, passes_nothing
+from ..charts.readout import has_voltages, is_open, passes_nothing
 from ..words import percent, quantity, readable_units
 from . import quantities
 
-HEADLINE = ["normal_force_slide", "mean_shear_slide", "peak_sampled_current_top", "peak_sampled_current_difference",
-            "rms_current_difference", "rms_current_common", "peak_open_circuit_voltage", "open_circuit_voltage_per_newton"]
+HEADLINE = ["normal_force_slide", "mean_shear_slide", "peak_sampled_taxel_current", "peak_sampled_current_top",
+            "peak_sampled_current_difference", "rms_current_difference", "rms_current_common", "peak_open_circuit_voltage", "open_circuit_voltage_per_newton"]
 HEADLINE_OPEN = ["normal_force_slide", "mean_shear_slide", "peak_voltage", "rms_voltage",  # between the electrodes no current flows
                  "peak_open_circuit_voltage"]
 DIGITS = 3
@@ -57,10 +57,12 @@ LAW_LIMITS = {
 
 def headline(results):
     """Headline numbers of the page and the terminal: dict of metric name to label, value and error."""
-    noise = {"rms_current_common"} if "current_common" in results.sampled and common_is_noise(results) else set()
+    left_out = {"rms_current_common"} if "current_common" in results.sampled and common_is_noise(results) else set()
+    if has_voltages(results):  # of taxels, which the opening sentence gives
+        left_out.add("peak_sampled_taxel_current")
     names = HEADLINE_OPEN if is_open(results) else HEADLINE
     return {name: (quantities.words(name), value(results, name), error(results, name)) for name in names
-            if name in results.metrics and name not in noise}
+            if name in results.metrics and name not in left_out}
 
 
 def value(results, name):

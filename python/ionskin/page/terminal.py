@@ -10,8 +10,8 @@ from . import answer, report_text
 
 
 def lines(results):
-    """The sentence that the page opens with and its headline: words, values with their errors, names in files."""
-    return [*answer.sentences(results)[:1],
+    """The sentences on readings that the page opens with and its headline: words, values with their errors, names in files."""
+    return [*answer.readings(results),
             *aligned([(words, f"{value} {error}".rstrip(), name) for name, (words, value, error) in report_text.headline(results).items()])]
 
 

@@ -23,7 +23,7 @@ from ionskin.article import paper
 from ionskin.charts import readout, sketches, spans
 from ionskin.charts.chart import Curve, Map
 from ionskin.figures import charts, draw_all
-from ionskin.page import answer, chart_data, quantities, report_text, sweep_page
+from ionskin.page import answer, chart_data, quantities, report_text, sweep_page, terminal
 from ionskin.report import make_gallery, make_report
 from ionskin.words import percent, quantity, si_scale
 
@@ -266,11 +266,55 @@ class OtherRuns(unittest.TestCase):
             self.assertLess(text.index('class="lead"'), text.index('id="warnings"'))
             return re.search(r'<p class="lead">(.*)</p>', text)[1]
 
-        self.assertEqual(opening(), "An ammeter between the electrodes reads up to 478 µA (± 0.93 %) at 1 s, as sliding begins, the mean over 1 s.")
+        self.assertEqual(opening(), "An ammeter between the electrodes reads up to 478 µA (± 0.93 %) at 1 s, as contact begins, the mean over 1 s.")
         (self.folder / "circuit.csv").write_text("time [s],voltage [V]\n0,0\n4,1e-3\n")
         self.assertIn("Between the electrodes a voltmeter reads up to 14 mV (± 3.7 %) at 4 s", opening())
         (self.folder / "circuit.csv").write_text("time [s],current [A],charge [C]\n0,0,0\n4,1e-9,2e-9\n")
         self.assertIn("The amplifier between the electrodes reads up to 1 nA", opening())
+
+    def test_an_event_names_only_what_is_read_from_its_begin_on(self):
+        """Contact begins at 0.4 s, sliding at 0.5 s; contact ends at 1.4 s. The readout takes a sample each millisecond."""
+        write_run(self.folder)
+        times = [0, 0.4, 0.45, 0.5, 0.51, 1.3, 1.35, 1.4, 2.8]
+        phases = ["touchdown"] * 4 + ["slide", "slide", "lift", "lift", "return"]
+        forces = [0, 0, 0.2, 0.5, 0.5, 0.5, 0.2, 0, 0]
+        rows = [",".join(map(str, row)) for row in zip(times, [1] * len(times), phases, forces)]
+        (self.folder / "signals.csv").write_text("\n".join(["time [s],cycle,phase,normal_force [N]", *rows]) + "\n")
+
+        def told(peak, **options):
+            samples = [f"{1e-3 * i:.3f},{1e-6 if i == peak else 1e-9}" for i in range(1, 2800)]
+            (self.folder / "sampled.csv").write_text("\n".join(["time [s],current_difference [A]", *samples]) + "\n")
+            return answer.event(Results(self.folder), 1e-3 * peak, mean=True, **options)
+
+        self.assertEqual(told(497), " at 0.497 s, 3 ms before sliding begins, while the slider lands")
+        self.assertEqual(told(500), " at 0.5 s, just before sliding begins")
+        self.assertEqual(told(501), " at 0.501 s, as sliding begins")
+        self.assertEqual(told(507), " at 0.507 s, 7 ms after sliding begins")
+        self.assertEqual(told(401), " at 0.401 s, as contact begins")
+        self.assertEqual(told(1000), " at 1 s")
+        self.assertEqual(told(1390), " at 1.39 s, 10 ms before contact ends, while the slider lifts")
+        self.assertEqual(answer.event(Results(self.folder), 0.5), " at 0.5 s, as sliding begins")
+
+    def test_the_largest_taxel_is_named_before_the_electrode(self):
+        write_run(self.folder)
+        path = self.folder / "summary.json"
+        summary = json.loads(path.read_text())
+        summary["metrics"] |= {"peak_sampled_taxel_current": {"value": 1.95e-6, "unit": "A"},
+                               "peak_sampled_current_difference": {"value": 8.88e-7, "unit": "A"}}
+        summary["error_estimate"] |= {"peak_sampled_taxel_current": 0.022, "peak_sampled_current_difference": 0.21}
+        path.write_text(json.dumps(summary))
+        titles = "time [s],current_top_r1c1 [A],current_top_r1c2 [A],current_top_rest [A]"
+        (self.folder / "sampled_taxels.csv").write_text(f"{titles}\n1,1e-6,-1.95e-6,9e-6\n2,0,0,0\n")
+        (self.folder / "taxels.csv").write_text("time [s],charge_top_r1c1 [C],charge_top_r1c2 [C]\n0,0,0\n1,1e-9,3e-9\n")
+        results = Results(self.folder)
+        lead, electrode = answer.readings(results)
+        self.assertEqual(lead, "Of 2 taxels r1c2 reads most: up to 1.95 µA (± 2.2 %) at 1 s, as contact begins, the mean over 1 s.")
+        self.assertIn("An ammeter between the electrodes reads up to 888 nA (± 21 %)", electrode)
+        self.assertEqual(terminal.lines(results)[:2], [lead, electrode])
+        self.assertIn("Peak sampled current of a taxel  1.95 µA ± 2.2 %", "\n".join(terminal.lines(results)))
+        self.assertEqual(re.search(r'<p class="lead">(.*)</p>', make_report(self.folder).read_text())[1], lead)
+        (self.folder / "case.toml").write_text('[readout]\ncircuit = "open"\n')
+        self.assertEqual(answer.of_largest_taxel(Results(self.folder)), [])
 
     def test_a_page_does_not_tell_the_folders_of_its_machine(self):
         write_run(self.folder)
