@@ -129,7 +129,7 @@ Case case_of_slider(const Case& input, std::optional<int> number) {
 /// Prints the range of motion within which the skin was trained.
 void print_range(const ionskin::live::SkinData& data) {
   const auto range = [](double low, double high) {
-    return low == high ? fmt::format("{:.4g} mm alone", low * 1e3)
+    return low == high ? fmt::format("{:.4g} mm only", low * 1e3)
                        : fmt::format("{:.4g} to {:.4g} mm", low * 1e3, high * 1e3);
   };
   fmt::print("trained for x {}, y {}, up to {:.3g} N, {:.3g} um deep, {:.3g} mm/s\n",

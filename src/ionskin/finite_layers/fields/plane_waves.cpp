@@ -34,6 +34,7 @@ PlaneWaves::PlaneWaves(double length, double width, bool mirrored,
     array->resize(count_x, count_y);
   }
   for (Eigen::Index n = 0; n < count_y; ++n) {
+    base::check_interrupt();
     for (Eigen::Index m = 0; m < count_x; ++m) {
       const double kx = static_cast<double>(m) * step_x_, ky = static_cast<double>(n) * step_y_;
       const double k = std::hypot(kx, ky);

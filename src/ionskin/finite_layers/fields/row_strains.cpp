@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/finite_layers/fields/row_strains.hpp"
 
+#include "ionskin/base/system/interrupt.hpp"
 #include "ionskin/parallel/task_pool.hpp"
 
 #include <algorithm>
@@ -55,6 +56,7 @@ RowStrains::RowStrains(const PlaneWaves& waves, const DepthTable& table,
     }
   }
   parallel::run_tasks(blocks.size(), threads, [&](std::size_t i) {
+    base::check_interrupt();
     const auto [level, first_m] = blocks[i];
     const double last = table.cutoff(level);
     Eigen::Index felt = 0;

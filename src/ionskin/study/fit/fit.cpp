@@ -191,7 +191,7 @@ double squares_but_for(const Misfit& misfit, const FitData& data, const std::vec
 
 /// Distances below and above the optimum, in the coordinate of a time shift, within which the
 /// residuals grow by no more than noise explains. Linear theory fails where a signal is shorter
-/// than the interval of a row: all shifts in a part of the row then fit alike.
+/// than the interval of a row: all shifts in a part of the row then fit equally well.
 std::array<double, 2> profile(const Misfit& misfit, const FitData& data,
                               const std::vector<double>& optimum, std::size_t shift,
                               const FitStatistics& statistics) {
