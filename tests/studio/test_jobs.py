@@ -72,6 +72,45 @@ class Jobs(StudioTest):
             self.studio.json("POST", f"/api/jobs/{job['id']}/cancel", {})
         self.studio.wait("first", lambda one: one["state"] == "stopped")
 
+    def start_with_records(self, records):
+        """Replaces the Studio by one that finds these records of jobs of its own, given by their id."""
+        self.studio.end()
+        jobs = next((self.state / "ionskin" / "studio").iterdir()) / "jobs"
+        usual = {"kind": "report", "folder": "none", "words": ["report", "none"], "command": "ionskin report none", "python": "", "memory_bytes": 0,
+                 "expected_s": 0, "state": "finished", "created": 1.0, "started": 1.0, "ended": 1.0, "pid": 0, "pid_started": "", "exit_code": 0,
+                 "message": ""}
+        for name, record in records.items():
+            (jobs / name).mkdir()
+            (jobs / name / "job.json").write_text(json.dumps({**usual, "id": name, **record}))
+        self.studio = self.start()
+        return jobs
+
+    def test_no_more_jobs_wait_than_are_allowed_and_none_runs_without_memory(self):
+        self.start_with_records({str(number): {"state": "queued", "created": float(number), "memory_bytes": 1e18} for number in range(100, 500)})
+        status, _, text = self.studio.call("POST", "/api/jobs", {"kind": "run", "name": "one_more", "case": QUICK})
+        self.assertEqual(status, 429, text)
+        first = self.studio.json("GET", "/api/jobs")[-1]
+        self.assertEqual(first["state"], "failed")
+        self.assertIn("1e+09 GB of memory", first["message"])
+
+    def test_old_and_damaged_records_are_dropped(self):
+        ended = {str(number): {"created": float(number)} for number in range(100, 620)}
+        jobs = self.start_with_records({**ended, "99": {"id": "98"}})
+        shown = [job["id"] for job in self.studio.json("GET", "/api/jobs")]
+        self.assertEqual(shown, [str(number) for number in range(619, 119, -1)])
+        self.assertFalse((jobs / "100").exists())
+        self.assertTrue((jobs / "99").exists())  # left out, and left alone
+
+    def test_a_job_that_cannot_run_fails_with_its_reason(self):
+        self.start_with_records({"100": {"state": "queued"}})
+        refused = self.studio.wait("none", lambda one: one["state"] == "failed")
+        self.assertIn("no such file", refused["message"])
+        (self.folder / "none").mkdir()
+        self.studio.json("POST", "/api/jobs/100/resume", {})
+        failed = self.studio.wait("none", lambda one: one["state"] == "failed")
+        self.assertNotIn(failed["message"], ("", refused["message"]))
+        self.assertNotEqual(failed["exit_code"], 0)
+
     def test_a_second_studio_in_the_folder_is_refused(self):
         other = subprocess.run([PROGRAM, "studio", self.folder, "--no-browser"], capture_output=True, text=True, check=False,
                                env={**os.environ, **self.environment})

@@ -5,12 +5,14 @@
 #include "ionskin/base/system/interrupt.hpp"
 #include "ionskin/electrochemistry/circuit/cut_electrode.hpp"
 #include "ionskin/electrochemistry/circuit/external_circuit.hpp"
-#include "ionskin/electrochemistry/circuit/sheet_charges.hpp"
 #include "ionskin/electrochemistry/circuit/sheet_electrodes.hpp"
 #include "ionskin/electrochemistry/grid/mid_width_mirror.hpp"
 #include "ionskin/electrochemistry/grid/transport_grid.hpp"
 #include "ionskin/electrochemistry/taxel_crosstalk.hpp"
 #include "ionskin/electrochemistry/thin_layers.hpp"
+#include "ionskin/electrochemistry/time/circuit_charge.hpp"
+#include "ionskin/electrochemistry/time/conductor_charges.hpp"
+#include "ionskin/electrochemistry/time/sheet_charges.hpp"
 #include "ionskin/electrochemistry/time/solution_rows.hpp"
 #include "ionskin/electrochemistry/time/step_control.hpp"
 #include "ionskin/electrochemistry/time/time_integrator.hpp"
@@ -18,6 +20,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <memory>
 #include <utility>
 
 namespace ionskin::electrochemistry {
@@ -78,11 +81,9 @@ public:
         team_(useful_threads(options.threads, scaled_)),
         solver_(scaled_, newton_tolerance(control_.tolerance(), input.electrochemistry.ion_model),
                 team_, steric_excess(input.electrochemistry), conductors(), sheets()),
-        integrator_(scaled_, scales_, fixed_charge_, options.potentials, solver_, team_,
-                    cut_ || sheets_ ? std::nullopt
-                                    : scaled_admittance(input.readout, scales_,
-                                                        input.skin.length * input.skin.width),
-                    conductors(), sheets()),
+        electrodes_(electrode_charges(input)),
+        integrator_(scaled_, scales_, fixed_charge_, options.potentials, *electrodes_, solver_,
+                    team_),
         rows_(input, scales_, grid_, mirror_, scaled_, fixed_charge_, control_.landings().time,
               options.snapshot_times, cut_ ? &*cut_ : nullptr) {
     run_.solution.taxel_crosstalk = taxel_crosstalk(input, history);
@@ -114,11 +115,23 @@ private:
   }
 
   const SheetElectrodes* sheets() const { return sheets_ ? &*sheets_ : nullptr; }
-  /// Length of `TransportState::electrode_charge`.
-  std::size_t electrode_charges() const {
-    return sheets_                   ? SheetState::packed_size(scaled_.columns())
-           : conductors() != nullptr ? conductors()->size()
-                                     : 0;
+
+  std::unique_ptr<ElectrodeCharges> electrode_charges(const Case& input) {
+    if (conductors() != nullptr) {
+      auto charges = std::make_unique<ConductorCharges>(scaled_, fixed_charge_, *conductors());
+      conductor_charges_ = charges.get();
+      return charges;
+    }
+    if (sheets_) {
+      return std::make_unique<SheetCharges>(scaled_, fixed_charge_, *sheets_);
+    }
+    const auto admittance =
+        cut_ ? std::nullopt
+             : scaled_admittance(input.readout, scales_, input.skin.length * input.skin.width);
+    if (admittance) {
+      return std::make_unique<CircuitCharge>(scaled_, fixed_charge_, *admittance);
+    }
+    return std::make_unique<ElectrodeCharges>(scaled_, fixed_charge_);
   }
 
   void begin() {
@@ -146,7 +159,7 @@ private:
                            run_.solution.grid.y_edges == grid_.y_edges &&
                            run_.solution.grid.z_nodes == grid_.z_nodes &&
                            run_.state.ions.nodes() == scaled_.nodes() &&
-                           run_.state.electrode_charge.size() == electrode_charges();
+                           run_.state.electrode_charge.size() == electrodes_->size();
     if (!same_grid || done.size() != run_.step + 1 || !control_.has_landed(done)) {
       throw UserError(
           "the saved state of the ion transport belongs to another case: its grid or its "
@@ -186,8 +199,8 @@ private:
 
   void read_row_at(double time) {
     row_ = row_at(time);
-    if (row_ && conductors() != nullptr) {
-      integrator_.connect(cut_->circuits(readout_.scan, *row_));
+    if (row_ && conductor_charges_ != nullptr) {
+      conductor_charges_->connect(cut_->circuits(readout_.scan, *row_));
     }
   }
 
@@ -197,8 +210,9 @@ private:
       return;
     }
     row_ = next;
-    if (conductors() != nullptr) {
-      integrator_.reconnect(time, cut_->circuits(readout_.scan, *row_), run_.state);
+    if (conductor_charges_ != nullptr) {
+      conductor_charges_->reconnect(cut_->circuits(readout_.scan, *row_), run_.state);
+      integrator_.restart(time, run_.state);
     }
   }
 
@@ -269,9 +283,7 @@ private:
   }
 
   void append_row(double time) {
-    rows_.append(time, run_.state.ions, integrator_.relaxation(run_.state),
-                 integrator_.electrode_rows(run_.state), row_, integrator_.lead_voltage(run_.state),
-                 run_.solution);
+    rows_.append(time, run_.state.ions, integrator_.reading(run_.state), row_, run_.solution);
   }
 
   void copy_counters() {
@@ -303,6 +315,8 @@ private:
   double noted_time_ = 0; ///< [s]
   parallel::WorkerTeam team_;
   NewtonKrylov solver_;
+  ConductorCharges* conductor_charges_ = nullptr; ///< `electrodes_` of cut faces; else nullptr
+  std::unique_ptr<ElectrodeCharges> electrodes_;
   TimeIntegrator integrator_;
   SolutionRows rows_;
   IonCheckpoint run_;

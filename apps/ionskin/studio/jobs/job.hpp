@@ -33,8 +33,9 @@ struct Job {
   /// Reason why the job failed or was stopped; else the messages of the command.
   std::string message;
 
+  bool runs() const { return state == JobState::running || state == JobState::stopping; }
   /// True if the job waits or runs.
-  bool open() const { return state <= JobState::stopping; }
+  bool open() const { return state == JobState::queued || runs(); }
 };
 
 std::string to_string(JobState state);

@@ -3,8 +3,10 @@
 
 #include "studio/data/workspace.hpp"
 #include "studio/jobs/job.hpp"
+#include "studio/jobs/job_records.hpp"
 
 #include <atomic>
+#include <chrono>
 #include <condition_variable>
 #include <cstdint>
 #include <mutex>
@@ -13,10 +15,10 @@
 
 namespace ionskin::apps::studio {
 
-/// Queue of the jobs of a workspace, of which one runs at a time. Jobs are recorded in files of the
-/// user's own, outside the workspace, so that a new queue takes over the jobs of an earlier server,
-/// whether they run, wait or were ended with the machine. Jobs recorded in the workspace itself are
-/// listed, and wait for `resume`. All functions may be called from several threads.
+/// Queue of the jobs of a workspace, of which one runs at a time. A new queue takes over the
+/// recorded jobs of an earlier server, whether they run, wait or were ended with the machine. Jobs
+/// recorded in the workspace itself are listed, and wait for `resume`. All functions may be called
+/// from several threads.
 class JobQueue {
 public:
   /// Reads the recorded jobs and starts the thread that starts and watches jobs.
@@ -41,7 +43,7 @@ public:
   /// 404 when there is no such job, 409 when it waits or runs.
   void remove(const std::string& id);
   /// Copy of a job. Throws HttpError 404 when there is no such job.
-  Job job(const std::string& id) const;
+  Job job(const std::string& id);
 
   /// JSON array of all jobs with their progress, the newest first.
   Json list() const;
@@ -56,28 +58,32 @@ public:
 private:
   struct Entry {
     Job job;
-    Json progress; ///< progress of a running job; null before
+    Json progress = nullptr; ///< progress of a running job; null before
     /// Instant at which it was asked to stop, since 1970 [s]; 0 if it was not.
-    double cancelled = 0;
+    double asked_to_stop = 0;
     /// Name of its record in the workspace; empty for the Studio's own jobs.
     std::string found = {};
   };
-  Entry& find(const std::string& id);
-  const Entry& find(const std::string& id) const;
-  void adopt(Entry& entry);
-  std::filesystem::path records(const Job& job) const;
-  void load();
+
+  // The caller of these functions holds the mutex.
+  std::vector<Entry>::iterator find(const std::string& id);
+  /// Records a new job and lets it wait in the queue.
+  void enqueue(Job job);
+  /// Removes a job from the list, and its record.
+  void forget(const std::string& id);
   void save(const Entry& entry);
   void changed();
+
+  // The thread of the queue runs these functions.
   void watch();
+  void start_next();
+  void start(Entry& entry);
   void look_at(Entry& entry);
   void press(Entry& entry);
   void end(Entry& entry);
-  void start_next();
-  void start(Entry& entry);
-  void refuse(Entry& entry, const std::string& why);
 
   const Workspace& workspace_;
+  const JobRecords records_;
   mutable std::mutex mutex_;
   mutable std::condition_variable changed_;
   std::vector<Entry> entries_;
@@ -85,9 +91,5 @@ private:
   bool closed_ = false;
   std::thread watcher_;
 };
-
-/// Memory that programs can use without swapping, by the system's estimate [bytes]; 0 when it is
-/// not known.
-double available_memory();
 
 } // namespace ionskin::apps::studio

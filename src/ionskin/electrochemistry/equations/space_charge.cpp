@@ -56,6 +56,17 @@ void FixedCharge::start(double time) {
   }
 }
 
+std::vector<double> FixedCharge::net_of_columns() const {
+  const std::size_t columns = scaled_.columns();
+  std::vector<double> net(columns, 0.0);
+  if (traits_.makes_net_charge) {
+    for (std::size_t i = 0; i < scaled_.nodes(); ++i) {
+      net[i % columns] += 0.5 * scaled_.height[i / columns] * (ratio_[i] - 1.0);
+    }
+  }
+  return net;
+}
+
 void FixedCharge::accept(std::span<const double> concentration) {
   if (!water_) {
     return;

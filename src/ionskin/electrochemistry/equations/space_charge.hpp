@@ -49,12 +49,13 @@ public:
   /// Drive g of the cations, which their flux sees added to the scaled potential [nodes]; empty for
   /// none.
   std::span<const double> drive() const { return drive_; }
+  /// Half of the net charge per area below every column that the law has made, which returns
+  /// through the ground [y][x].
+  std::vector<double> net_of_columns() const;
   /// Water and its drive at the instant evaluated last; nullptr for laws that do not move water.
   const poroelasticity::StreamingDrive* water() const { return water_ ? &*water_ : nullptr; }
   /// Largest departure of cf / c0 from 1, or largest drive g, that the history can make [1].
   double largest_coupling() const { return largest_coupling_; }
-  /// True if the net charge of the core changes with the shear.
-  bool makes_net_charge() const { return traits_.makes_net_charge; }
   /// True if the law releases a mobile ion for every fixed charge that it adds.
   bool releases_ions() const { return traits_.releases_ions; }
 

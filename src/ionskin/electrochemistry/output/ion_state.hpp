@@ -35,7 +35,7 @@ struct TransportState {
   double charge_scale = 0; ///< largest charge per area so far [F c0 lambda], by `ChargeNorm`
   /// State of the water; nothing for laws that do not move water.
   std::optional<poroelasticity::WaterState> memory;
-  /// Scaled charges of the conductors of cut faces (`ElectrodeCharges`), or the packed state of
+  /// Scaled charges of the conductors of cut faces (`ConductorCharges`), or the packed state of
   /// metal with sheet resistances (`SheetState::packed`); empty where each electrode is one
   /// equipotential conductor.
   std::vector<double> electrode_charge{};

@@ -81,10 +81,8 @@ SolutionRows::SolutionRows(const Case& input, const DerivedScales& scales,
   }
 }
 
-void SolutionRows::append(double time, const IonState& state, const Relaxation& relaxation,
-                          const std::vector<ElectrodeRow>& electrodes,
-                          std::optional<std::size_t> row, std::optional<double> lead_voltage,
-                          IonSolution& solution) {
+void SolutionRows::append(double time, const IonState& state, const ElectrodeReading& electrodes,
+                          std::optional<std::size_t> row, IonSolution& solution) {
   wall_charges(scaled_, state, fixed_charge_.ratio(), charges_);
   mirror_.complete(charges_);
   const auto c = state.concentration();
@@ -93,17 +91,17 @@ void SolutionRows::append(double time, const IonState& state, const Relaxation& 
   solution.charge_top.push_back(charge_unit_ * charges_.total_top);
   solution.charge_bottom.push_back(charge_unit_ * charges_.total_bottom);
   append_segments(segments_, charges_, charge_unit_, solution);
-  append_conductors(electrodes, row, solution);
+  append_conductors(electrodes.rows, row, solution);
   if (const poroelasticity::StreamingDrive* water = fixed_charge_.water()) {
     append_water(*water, area_, solution.water);
   }
   solution.ramo_charge_top.push_back(mirror_.copies() * charge_unit_ *
                                      ramo_charge_top(scaled_, state, fixed_charge_.ratio()));
-  solution.relaxation_charge.push_back(mean_unit_ * relaxation.charge);
-  solution.relaxation_current.push_back(mean_unit_ / time_unit_ * relaxation.rate);
-  solution.voltage.push_back(potential_unit_ *
-                             lead_voltage.value_or(mean_voltage(state, scaled_.columns())));
-  if (lead_voltage) {
+  solution.relaxation_charge.push_back(mean_unit_ * electrodes.relaxation.charge);
+  solution.relaxation_current.push_back(mean_unit_ / time_unit_ * electrodes.relaxation.rate);
+  solution.voltage.push_back(
+      potential_unit_ * electrodes.lead_voltage.value_or(mean_voltage(state, scaled_.columns())));
+  if (electrodes.lead_voltage) {
     solution.metal_drop.push_back(potential_unit_ * metal_drop(state, scaled_.columns()));
   }
   solution.ion_amount.push_back(mirror_.copies() * volume_unit_ * concentration_unit_ *
@@ -169,7 +167,8 @@ void SolutionRows::give_rest(IonSolution& solution) const {
 }
 
 void SolutionRows::append_held(std::optional<std::size_t> read, IonSolution& solution) const {
-  const std::vector<double> below = segments_.charges(net_of_columns());
+  const std::vector<double> below =
+      segments_.charges(mirror_.whole(fixed_charge_.net_of_columns()));
   for (std::size_t i = 0; i < segments_.names.size(); ++i) {
     SegmentCharge& segment = solution.top_segments[i];
     segment.voltage.push_back(0.0);
@@ -180,20 +179,12 @@ void SolutionRows::append_held(std::optional<std::size_t> read, IonSolution& sol
   }
 }
 
-std::vector<double> SolutionRows::net_of_columns() const {
-  const std::size_t columns = scaled_.columns();
-  std::vector<double> net(columns, 0.0);
-  for (std::size_t i = 0; fixed_charge_.makes_net_charge() && i < scaled_.nodes(); ++i) {
-    net[i % columns] += 0.5 * scaled_.height[i / columns] * (fixed_charge_.ratio()[i] - 1.0);
-  }
-  return mirror_.whole(net);
-}
-
 std::vector<ElectrodeRow> SolutionRows::held_lines() const {
   std::vector<double> walls = charges_.bottom;
   walls.insert(walls.end(), charges_.top.begin(), charges_.top.end());
   const std::vector<double> charge = cut_->conductors.sums(walls),
-                            net = cut_->conductors.sums(net_of_columns());
+                            net = cut_->conductors.sums(
+                                mirror_.whole(fixed_charge_.net_of_columns()));
   std::vector<ElectrodeRow> lines;
   for (std::size_t e = 0; e < charge.size(); ++e) {
     lines.push_back({0.0, charge[e], charge[e] - net[e]});

@@ -11,7 +11,7 @@
 #include "ionskin/electrochemistry/grid/scaled_grid.hpp"
 #include "ionskin/electrochemistry/output/ion_solution.hpp"
 #include "ionskin/electrochemistry/output/ion_state.hpp"
-#include "ionskin/electrochemistry/time/time_integrator.hpp"
+#include "ionskin/electrochemistry/time/electrode_charges.hpp"
 
 #include <string>
 #include <vector>
@@ -47,15 +47,10 @@ public:
 
   /// Appends the row of an instant to the solution, and a snapshot where one is wanted.
   /// @param time [s]
-  /// @param relaxation smooth part of the charge, see `Relaxation`
-  /// @param electrodes conductors of cut faces at this instant; empty where each face has one
-  ///   potential
+  /// @param electrodes state of the electrodes at this instant
   /// @param row row that a scan has read until this instant; nothing without a scan
-  /// @param lead_voltage voltage between the leads of metal with sheet resistances [R T/(v F)];
-  ///   nothing without
-  void append(double time, const IonState& state, const Relaxation& relaxation,
-              const std::vector<ElectrodeRow>& electrodes, std::optional<std::size_t> row,
-              std::optional<double> lead_voltage, IonSolution& solution);
+  void append(double time, const IonState& state, const ElectrodeReading& electrodes,
+              std::optional<std::size_t> row, IonSolution& solution);
   /// Adds to a solution the fields that only the last row has.
   void finish(const IonState& state, IonSolution& solution);
 
@@ -72,9 +67,6 @@ private:
   /// Appends the rows of the lines of a crossbar and of their crossings.
   void append_lines(const std::vector<ElectrodeRow>& lines, std::optional<std::size_t> read,
                     IonSolution& solution) const;
-  /// Half of the net charge per area below every column of the whole grid, which returns through
-  /// the ground [F c0 lambda].
-  std::vector<double> net_of_columns() const;
   /// Rows of the lines of a crossbar whose lines are all held by the ground.
   std::vector<ElectrodeRow> held_lines() const;
   IonSnapshot snapshot(double time, const IonState& state) const;

@@ -16,7 +16,7 @@ namespace {
 class SingleColumn : public testing::Test {
 protected:
   TransportState run(const ElectrodePotentials& potentials, double duration, int steps) {
-    TimeIntegrator integrator(grid, scales, fixed_charge, potentials, solver, team);
+    TimeIntegrator integrator(grid, scales, fixed_charge, potentials, electrodes, solver, team);
     TransportState state;
     integrator.initialise(0.0, state);
     for (int i = 0; i < steps; ++i) {
@@ -38,6 +38,7 @@ protected:
   DerivedScales scales = derive_scales(input.electrochemistry, history.core_thickness());
   ScaledGrid grid = scale_grid(transport_grid, scales.debye_length);
   FixedCharge fixed_charge{input, history, transport_grid, grid};
+  ElectrodeCharges electrodes{grid, fixed_charge};
   parallel::WorkerTeam team{1};
   NewtonKrylov solver{grid, 1e-7, team};
   double last_error = 0;
@@ -82,7 +83,7 @@ TEST_F(SingleColumn, ErrorEstimateIsOfThirdOrder) {
 TEST_F(SingleColumn, TellsWhereNewtonFindsNoSolution) {
   ElectrodePotentials nonsense;
   nonsense.top = [](double time) { return time > 0.5 ? std::nan("") : 0.0; };
-  TimeIntegrator integrator(grid, scales, fixed_charge, nonsense, solver, team);
+  TimeIntegrator integrator(grid, scales, fixed_charge, nonsense, electrodes, solver, team);
   TransportState state;
   integrator.initialise(0.0, state);
   EXPECT_FALSE(integrator.try_step(0.0, 1.0, state, 0.01));
