@@ -32,14 +32,14 @@ bool is_quantity(const Json& value) {
          is_number_or_missing(value, "lower_95") && is_number_or_missing(value, "upper_95");
 }
 
-[[noreturn]] void refuse(const std::string& entry) {
+[[noreturn]] void refuse_entry(const std::string& entry) {
   throw UserError(base::shown(entry) + " is damaged: its value has another type than ionskin "
                                        "writes");
 }
 
 void require(const Json& object, const char* name, Test test) {
   if (object.contains(name) && !test(object.at(name))) {
-    refuse(name);
+    refuse_entry(name);
   }
 }
 
@@ -50,11 +50,11 @@ void require_all(const Json& object, const char* name, Json::value_t container, 
     return;
   }
   if (inner->type() != container) {
-    refuse(name);
+    refuse_entry(name);
   }
   for (const auto& [key, value] : inner->items()) {
     if (!test(value)) {
-      refuse(std::string(name) + "." + key);
+      refuse_entry(std::string(name) + "." + key);
     }
   }
 }
