@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/case/elastic_constants.hpp"
 #include "ionskin/finite_layers/skin/layered_skin.hpp"
-#include "ionskin/finite_layers/thickness/elastic_layer.hpp"
 #include "ionskin/handover/sliders/sliders_history.hpp"
 #include "ionskin/history/shear_statistics.hpp"
 #include "ionskin/mechanics/solve_sliders.hpp"
@@ -87,9 +86,7 @@ double force_by_matrix(const Case& input, const ContactSolution& one, double off
                        double clearance) {
   const ContactGrid both = grid_of_both(one, offset);
   const finite_layers::LayeredSkin skin(
-      input.skin, both,
-      finite_layers::skin_resolution(finite_layers::elastic_layers(input.skin),
-                                     {clearance, clearance}));
+      input.skin, both, finite_layers::skin_resolution(input.skin, {clearance, clearance}));
   const Eigen::MatrixXd all = skin.across(middle_y).compliance(middle_x);
   std::vector<Eigen::Index> pressed;
   const auto gap = static_cast<Eigen::Index>(one.cell_lines_x.size()) - 1;
@@ -122,8 +119,7 @@ CellFields any_forces(const ContactGrid& cells, double phase) {
 double reciprocity(const Case& input) {
   const ContactGrid one{{-0.5e-3, -0.1e-3, 0.5e-3}, {-0.4e-3, 0.1e-3, 0.5e-3}},
       other{{-0.2e-3, 0.1e-3, 0.2e-3}, {-0.5e-3, 0, 0.2e-3, 0.5e-3}};
-  const auto resolution =
-      finite_layers::skin_resolution(finite_layers::elastic_layers(input.skin), {1e-3, 0.5e-3});
+  const auto resolution = finite_layers::skin_resolution(input.skin, {1e-3, 0.5e-3});
   const finite_layers::LayeredSkin of_one(input.skin, one, resolution),
       of_other(input.skin, other, resolution);
   const std::array<double, 2> place{1.6e-3, 0.9e-3}, other_place{4e-3, 1.1e-3};

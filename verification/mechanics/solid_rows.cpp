@@ -46,9 +46,7 @@ Answer by_layers() {
   const finite_layers::ContactGrid grid{
       {loaded_columns[0][0] - x, 0, loaded_columns[1][1] - x}, {loaded_row[0] - y, 0}, true};
   const finite_layers::LayeredSkin layers(
-      skin, grid,
-      finite_layers::skin_resolution(finite_layers::elastic_layers(skin),
-                                     {loaded_columns[0][0], loaded_row[0]}));
+      skin, grid, finite_layers::skin_resolution(skin, {loaded_columns[0][0], loaded_row[0]}));
   std::vector<double> given;
   for (const auto& force : forces) {
     given.insert(given.end(), force.begin(), force.end());

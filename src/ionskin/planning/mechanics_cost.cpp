@@ -29,8 +29,9 @@ namespace {
 // cases/waypoints.toml, with a soft finger, a height map, and sweeps of friction, which separate
 // the cost of the skin from that of the path.
 constexpr double seconds_per_skin = 0.38, seconds_per_pair_of_cells = 5.7e-6;
-/// Additional time of a skin per `skin_size` [s], measured near an end of the skin.
-constexpr double seconds_per_reach = 5e-4;
+/// Additional time of a skin per `skin_size` [s], measured near an end of the skin and on skins of
+/// 100 x 100 mm2.
+constexpr double seconds_per_reach = 2e-3;
 /// Time of a load step of the contact over the square of the number of cells [s], without and with
 /// a drive.
 constexpr double seconds_per_step = 2.2e-7, seconds_per_driven_step = 8e-7;
@@ -59,10 +60,13 @@ mesh::SkinMesh expected_mesh(const Case& input) {
 }
 
 /// Length times width of the skin, each over the reach of its short waves [1]: proportional to the
-/// number of modes.
+/// number of modes. The motions of the free faces are matrices between nodes through the thickness;
+/// a skin of thick electrodes counts more, as it has more nodes.
 double skin_size(const Case& input, const mesh::SkinMesh& mesh, const MotionBox& places) {
+  constexpr double usual_nodes = 31; // of a thick core between thin electrodes
   const double reach = mechanics::short_wave_reach(input.skin, mesh.footprint(), places);
-  return (input.skin.length / reach) * (input.skin.width / reach);
+  const double nodes = mechanics::nodes_through_thickness(input.skin) / usual_nodes;
+  return (input.skin.length / reach) * (input.skin.width / reach) * nodes * nodes;
 }
 
 /// Memory of the modes on the sides and ends of the skin and of their strain in the core [bytes].

@@ -57,6 +57,10 @@ TEST(MechanicsCost, HoldsTheModesOfWideSkinsAndOfNearSides) {
   const double plain = memory({});
   EXPECT_GT(memory({"skin.width=18 mm", "slider.start=[\"4.5 mm\", \"9 mm\"]"}), 2 * plain);
   EXPECT_GT(memory({"skin.length=45 mm"}), 2 * plain);
+  // Electrodes as thick as the core have as many nodes.
+  EXPECT_GT(memory({"skin.layers[0].thickness=80 um", "skin.layers[1].thickness=80 um",
+                    "skin.layers[2].thickness=80 um"}),
+            1.5 * memory({"skin.layers[1].thickness=220 um"}));
   // A run takes 1.37 GB: getrusage, beside 0.4 mm from a side.
   EXPECT_GT(memory({"slider.start=[\"4.5 mm\", \"0.4 mm\"]"}), 1.0e9);
 }

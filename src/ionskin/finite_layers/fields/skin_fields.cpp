@@ -4,6 +4,7 @@
 #include "ionskin/base/error.hpp"
 #include "ionskin/finite_layers/fields/field_target.hpp"
 #include "ionskin/finite_layers/fields/mode_means.hpp"
+#include "ionskin/finite_layers/fields/wave_bands.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -32,11 +33,6 @@ std::vector<Interval> intervals(const std::vector<double>& lines) {
 std::vector<Interval> with_whole(std::vector<Interval> places, double extent) {
   places.push_back({0, extent});
   return places;
-}
-
-/// Distance from the first line to the last one [m].
-double size_of(const std::vector<double>& lines) {
-  return lines.back() - lines.front();
 }
 
 /// Thickness of the layer `from` and all layers above it [m].
@@ -84,11 +80,6 @@ ComponentChoice with_shear_forces(ComponentChoice components) {
 
 double largest(const std::vector<double>& values) {
   return *std::ranges::max_element(values);
-}
-
-/// Size of a footprint across the skin, including the mirrored half [m].
-double footprint_width(const ContactGrid& cells) {
-  return cells.half ? -2 * cells.y.front() : size_of(cells.y);
 }
 
 /// Sorts forces by component, [column, row] [N].
@@ -139,42 +130,43 @@ StrainField strain_field(const FieldTarget& target, const ByKind& sums, const Fi
 
 struct SkinFields::Parts {
   static constexpr ComponentChoice normal_components{true, true, true, false, false, false};
+  /// Sums over rows of cells of the waves of a band.
+  struct BandRows {
+    RowStrains core, electrodes;
+  };
 
   FieldSkin skin;
   ContactGrid cells;
-  WaveSplit split;
   FieldTarget core, electrodes;
   /// Calculates the normal strains of the core, for their means over the whole plane.
   FaceFields core_normal;
-  double box_length, box_width; ///< of the box that holds the short waves [m]
-  PlaneWaves long_waves, short_waves;
-  std::optional<RowStrains> core_rows, electrode_rows; ///< sums of the short waves over rows
-  /// Position of the slider along y for which these sums hold [m]; empty without the sums.
-  std::optional<double> rows_at;
+  std::vector<WaveBand> bands; ///< first the modes of the whole skin
+  /// Sums over rows for each band but the first; empty where the slider moves across the skin.
+  std::vector<BandRows> rows;
+  double rows_at = 0; ///< position of the slider along y for which these sums hold [m]
 
   Parts(const FieldSkin& layered, const ContactGrid& contact, const std::vector<double>& heights,
-        double column, const WaveSplit& waves, const ComponentChoice& components,
+        double column, const WaveSplit& split, const ComponentChoice& components,
         const std::optional<PlacesAcross>& across, int threads, double tolerance)
-      : skin(layered), cells(contact), split(waves),
+      : skin(layered), cells(contact),
         core(skin, core_levels(skin, heights, tolerance), with_shear_forces(components)),
         electrodes(skin, electrode_levels(skin, column, tolerance), all_components),
         core_normal(skin, core.levels().levels, normal_components, 1),
-        box_length(std::min(size_of(cells.x) + 2 * split.reach(), skin.length)),
-        box_width(std::min(footprint_width(cells) + 2 * split.reach(), skin.width)),
-        long_waves(
-            skin.length, skin.width, cells.half, [&](double k) { return split.long_share(k); },
-            split.last_long()),
-        short_waves(
-            box_length, box_width, cells.half, [&](double k) { return split.short_share(k); },
-            std::max(largest(core.levels().cutoffs), largest(electrodes.levels().cutoffs))) {
+        bands(wave_bands(
+            skin, cells, split,
+            std::max(largest(core.levels().cutoffs), largest(electrodes.levels().cutoffs)))) {
     if (across) {
       rows_at = across->centre_y;
-      const PlaneBox box = short_box({0, across->centre_y});
-      const ModeTransform rows = of_rows(short_waves, box, across->centre_y);
-      core_rows =
-          core.row_strains(short_waves, box, rows, with_whole(across->y, skin.width), threads);
-      electrode_rows =
-          electrodes.row_strains(short_waves, box, rows, intervals(across->column_y), threads);
+      const std::array<double, 2> centre{0, across->centre_y};
+      const std::vector<Interval> of_core = with_whole(across->y, skin.width),
+                                  columns = intervals(across->column_y);
+      for (std::size_t i = 1; i < bands.size(); ++i) {
+        const PlaneWaves& waves = bands[i].waves;
+        const PlaneBox box = box_of(bands[i], centre);
+        const ModeTransform means = of_rows(waves, box, across->centre_y);
+        rows.push_back({core.row_strains(waves, box, means, of_core, threads),
+                        electrodes.row_strains(waves, box, means, columns, threads)});
+      }
     }
   }
 
@@ -182,13 +174,12 @@ struct SkinFields::Parts {
     return mode_means(from_corner(cells.y, centre_y - box.y), waves.step_y(), waves.modes_y());
   }
 
-  /// Box that holds the short waves of a slider. It ends at faces of the skin that are nearer than
-  /// the reach, so that these waves are mirrored there.
-  PlaneBox short_box(const std::array<double, 2>& centre) const {
-    const double x = centre[0] + 0.5 * (cells.x.front() + cells.x.back()),
-                 y = cells.half ? centre[1] : centre[1] + 0.5 * (cells.y.front() + cells.y.back());
-    return {std::clamp(x - box_length / 2, 0.0, skin.length - box_length),
-            std::clamp(y - box_width / 2, 0.0, skin.width - box_width), box_length, box_width};
+  /// Box of a band about the footprint.
+  /// @param centre of the slider, from the skin's corner [m]
+  PlaneBox box_of(const WaveBand& band, const std::array<double, 2>& centre) const {
+    return band.box(
+        {centre[0] + 0.5 * (cells.x.front() + cells.x.back()),
+         cells.half ? centre[1] : centre[1] + 0.5 * (cells.y.front() + cells.y.back())});
   }
 
   WaveLoads loads_in(const PlaneWaves& waves, const PlaneBox& box, const CellForces& forces,
@@ -226,10 +217,11 @@ struct SkinFields::Parts {
     return result;
   }
 
-  /// Sums the forces by the modes of the long waves, in the layout that the faces expect: for a
+  /// Sums the forces by the modes of the whole skin, in the layout that the faces expect: for a
   /// symmetric load, with the odd modes across the skin, which are 0.
   std::array<Eigen::MatrixXd, 3> on_faces(const WaveLoads& loads) const {
-    const Eigen::Index modes_x = long_waves.modes_x(), modes_y = long_waves.modes_y();
+    const PlaneWaves& waves = bands.front().waves;
+    const Eigen::Index modes_x = waves.modes_x(), modes_y = waves.modes_y();
     std::array<Eigen::MatrixXd, 3> result;
     for (std::size_t c = 0; c < 3; ++c) {
       const Eigen::MatrixXd own = loads.by_mode(c, 0, modes_x, 0, modes_y);
@@ -257,47 +249,50 @@ SkinFields::~SkinFields() = default;
 std::vector<CoreAndElectrodes> SkinFields::at(const std::vector<FieldState>& states) const {
   const Parts& parts = *parts_;
   const FieldSkin& skin = parts.skin;
-  const PlaneBox whole{0, 0, skin.length, skin.width};
-  std::vector<PlaneBox> near;
-  std::vector<WaveLoads> of_long, of_short;
-  std::vector<FaceMotion> motions;
+  std::vector<CellForces> by_cell;
   std::vector<FieldPlaces> in_core, columns;
   std::vector<ByKind> core, electrodes;
-  std::vector<double> normal_force;
   for (const FieldState& state : states) {
     if (state.forces.size() != static_cast<std::size_t>(3 * parts.cells.count())) {
       throw InternalError("each cell has three forces");
     }
-    if (parts.rows_at && std::abs(state.centre[1] - *parts.rows_at) > same_place * skin.width) {
+    if (!parts.rows.empty() &&
+        std::abs(state.centre[1] - parts.rows_at) > same_place * skin.width) {
       throw InternalError("a slider that keeps its place across the skin has left it");
     }
-    const CellForces by_cell = by_cells(parts.cells, state.forces);
-    normal_force.push_back(by_cell[0].sum());
-    near.push_back(parts.short_box(state.centre));
-    of_long.push_back(parts.loads_in(parts.long_waves, whole, by_cell, state.centre));
-    of_short.push_back(parts.loads_in(parts.short_waves, near.back(), by_cell, state.centre));
-    motions.push_back(face_motion(skin, parts.on_faces(of_long.back()), parts.cells.half));
+    by_cell.push_back(by_cells(parts.cells, state.forces));
     in_core.push_back(
         {with_whole(state.grid.x, skin.length), with_whole(state.grid.y, skin.width)});
     columns.push_back({intervals(state.grid.column_x), intervals(state.grid.column_y)});
     core.push_back(parts.core.none(in_core.back()));
     electrodes.push_back(parts.electrodes.none(columns.back()));
   }
-  const auto add = [&](const FieldTarget& target, const std::vector<FieldPlaces>& places,
-                       const std::optional<RowStrains>& rows, std::vector<ByKind>& sums) {
-    target.add_waves(parts.long_waves, of_long, std::vector<PlaneBox>(states.size(), whole), places,
-                     nullptr, sums);
-    target.add_waves(parts.short_waves, of_short, near, places, rows ? &*rows : nullptr, sums);
-    target.faces().add(motions, places, sums);
-  };
-  add(parts.core, in_core, parts.core_rows, core);
-  add(parts.electrodes, columns, parts.electrode_rows, electrodes);
+  std::vector<FaceMotion> motions;
+  for (std::size_t i = 0; i < parts.bands.size(); ++i) {
+    const PlaneWaves& waves = parts.bands[i].waves;
+    std::vector<PlaneBox> boxes;
+    std::vector<WaveLoads> loads;
+    for (std::size_t state = 0; state < states.size(); ++state) {
+      const std::array<double, 2>& centre = states[state].centre;
+      boxes.push_back(parts.box_of(parts.bands[i], centre));
+      loads.push_back(parts.loads_in(waves, boxes.back(), by_cell[state], centre));
+      if (i == 0) {
+        motions.push_back(face_motion(skin, parts.on_faces(loads.back()), parts.cells.half));
+      }
+    }
+    const Parts::BandRows* rows = i > 0 && !parts.rows.empty() ? &parts.rows[i - 1] : nullptr;
+    parts.core.add_waves(waves, loads, boxes, in_core, rows ? &rows->core : nullptr, core);
+    parts.electrodes.add_waves(waves, loads, boxes, columns, rows ? &rows->electrodes : nullptr,
+                               electrodes);
+  }
+  parts.core.faces().add(motions, in_core, core);
+  parts.electrodes.faces().add(motions, columns, electrodes);
   std::vector<CoreAndElectrodes> result;
   for (std::size_t state = 0; state < states.size(); ++state) {
     result.push_back({strain_field(parts.core, core[state], in_core[state], true),
                       strain_field(parts.electrodes, electrodes[state], columns[state], false),
-                      parts.force_through_levels(core[state], in_core[state], normal_force[state],
-                                                 motions[state])});
+                      parts.force_through_levels(core[state], in_core[state],
+                                                 by_cell[state][0].sum(), motions[state])});
   }
   return result;
 }

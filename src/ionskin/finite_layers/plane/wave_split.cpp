@@ -24,6 +24,14 @@ WaveSplit WaveSplit::all_short(double reach) {
   return split;
 }
 
+WaveSplit WaveSplit::shorter(double factor) const {
+  WaveSplit split;
+  split.reach_ = reach_ / factor;
+  split.kappa_ = kappa_ * factor;
+  split.last_long_ = last_long_ * factor;
+  return split;
+}
+
 double WaveSplit::long_share(double wave_number) const {
   if (kappa_ == 0) {
     return 0;

@@ -18,6 +18,9 @@ public:
   /// Makes a split without long waves, for a body whose response ends within the reach by itself.
   /// @param reach [m]
   static WaveSplit all_short(double reach);
+  /// Makes the split whose short waves are shorter and reach less far by a factor.
+  /// @param factor > 1
+  WaveSplit shorter(double factor) const;
 
   /// Share of the short waves at a wave number [1/m], from 0 to 1.
   double short_share(double wave_number) const { return 1 - long_share(wave_number); }

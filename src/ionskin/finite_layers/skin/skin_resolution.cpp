@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/finite_layers/skin/skin_resolution.hpp"
 
+#include "ionskin/finite_layers/thickness/elastic_layer.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -8,9 +10,12 @@
 namespace ionskin::finite_layers {
 namespace {
 
-// Smallest and largest reach of short waves, over the thickness of the skin. The box in which the
-// strain of short waves is summed grows with their reach.
-constexpr double least_reach = 0.75, most_reach = 2.5;
+// Smallest and largest reach of short waves, over the thickness of the skin. Near loads and several
+// sliders must be further apart than the reach.
+constexpr double least_reach = 0.75, usual_reach = 2.5;
+/// Area of the skin over the square of the reach, beyond which the modes of the skin, whose number
+/// is proportional to it, cost more than the rest: a skin this thin has a longer reach.
+constexpr double most_modes = 1000;
 
 } // namespace
 
@@ -19,17 +24,19 @@ FaceResolution SkinResolution::face(double length) const {
   return {static_cast<Eigen::Index>(std::ceil(last * length / std::numbers::pi)) + 1, one_by_one};
 }
 
-SkinResolution skin_resolution(const std::vector<ElasticLayer>& layers, const Clearance& clearance,
-                               SkinPurpose purpose) {
+SkinResolution skin_resolution(const Skin& skin, const Clearance& clearance, SkinPurpose purpose) {
   constexpr double thick = 0.2; // share of the whole thickness; a thicker layer bends by itself
+  const std::vector<ElasticLayer> layers = elastic_layers(skin);
   double thickness = 0;
   for (const ElasticLayer& layer : layers) {
     thickness += layer.thickness;
   }
   SkinResolution result;
   result.split_tolerance = 1e-3;
+  const double most_reach =
+      std::max(usual_reach * thickness, std::sqrt(skin.length * skin.width / most_modes));
   result.reach = std::clamp(2 * std::min(clearance.ends, clearance.sides), least_reach * thickness,
-                            most_reach * thickness);
+                            most_reach);
   const bool results = purpose == SkinPurpose::results;
   result.face_waves = results ? 5 : 3;
   result.one_by_one = results ? 120 : 60;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "ionskin/case/case.hpp"
 #include "ionskin/finite_layers/faces/free_sides.hpp"
 #include "ionskin/finite_layers/faces/thickness_column.hpp"
 #include "ionskin/finite_layers/plane/wave_split.hpp"
@@ -40,11 +41,11 @@ struct SkinResolution {
 
 /// Chooses the resolution of a skin. Short waves reach twice the smaller clearance, which is the
 /// distance from the slider to its nearest mirror image, but at least 0.75 and at most 2.5
-/// thicknesses of the skin. Where a face is nearer than half the reach, its effect on the shorter
-/// waves is neglected.
-/// @param layers bottom to top
+/// thicknesses of the skin; on a skin that is very wide for its thickness, at most a 32nd of the
+/// root of its area. Where a face is nearer than half the reach, its effect on the shorter waves is
+/// neglected.
 /// @param clearance smallest distances over the whole path of the slider
-SkinResolution skin_resolution(const std::vector<ElasticLayer>& layers, const Clearance& clearance,
+SkinResolution skin_resolution(const Skin& skin, const Clearance& clearance,
                                SkinPurpose purpose = SkinPurpose::results);
 
 } // namespace ionskin::finite_layers

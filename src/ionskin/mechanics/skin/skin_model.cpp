@@ -22,8 +22,7 @@ finite_layers::SkinResolution resolution(const Skin& skin, const mesh::Footprint
                                          const MotionBox& places,
                                          finite_layers::SkinPurpose purpose) {
   const auto [ends, sides] = clearance(skin, footprint, places);
-  return finite_layers::skin_resolution(finite_layers::elastic_layers(skin), {ends, sides},
-                                        purpose);
+  return finite_layers::skin_resolution(skin, {ends, sides}, purpose);
 }
 
 } // namespace

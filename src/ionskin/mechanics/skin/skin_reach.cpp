@@ -2,7 +2,6 @@
 #include "ionskin/mechanics/skin/skin_reach.hpp"
 
 #include "ionskin/finite_layers/skin/skin_resolution.hpp"
-#include "ionskin/finite_layers/thickness/elastic_layer.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -26,7 +25,7 @@ namespace {
 finite_layers::SkinResolution resolution_beside(const Skin& skin, const mesh::Footprint& footprint,
                                                 const MotionBox& places) {
   const auto [ends, sides] = clearance(skin, footprint, places);
-  return finite_layers::skin_resolution(finite_layers::elastic_layers(skin), {ends, sides});
+  return finite_layers::skin_resolution(skin, {ends, sides});
 }
 
 } // namespace
@@ -43,13 +42,19 @@ double short_wave_reach(const Skin& skin, const mesh::Footprint& footprint,
   return resolution_beside(skin, footprint, places).reach;
 }
 
+double nodes_through_thickness(const Skin& skin) {
+  const finite_layers::SkinResolution resolution = finite_layers::skin_resolution(skin, {});
+  double nodes = 1;
+  for (const finite_layers::ElementSizes& sizes : resolution.elements) {
+    nodes += static_cast<double>(sizes.size()) * resolution.degree;
+  }
+  return nodes;
+}
+
 std::function<double(double x)> end_products(const Skin& skin, const mesh::Footprint& footprint,
                                              const MotionBox& places, double forces, bool half) {
   const finite_layers::SkinResolution beside = resolution_beside(skin, footprint, places);
-  double nodes = 1; // number through the thickness
-  for (const finite_layers::ElementSizes& sizes : beside.elements) {
-    nodes += static_cast<double>(sizes.size()) * beside.degree;
-  }
+  const double nodes = nodes_through_thickness(skin);
   return [=, room = footprint.half_size[0], size = std::array{skin.length, skin.width}](double x) {
     finite_layers::SkinResolution here = beside;
     here.reach = std::max(beside.reach, 2 * (std::min(x, size[0] - x) - room));

@@ -23,6 +23,9 @@ std::array<double, 2> clearance(const Skin& skin, const mesh::Footprint& footpri
 double short_wave_reach(const Skin& skin, const mesh::Footprint& footprint,
                         const MotionBox& places);
 
+/// Number of nodes through the thickness of the finite elements that free the sides and ends.
+double nodes_through_thickness(const Skin& skin);
+
 /// Estimates the number of multiplications that the waves along the ends take in one contact step,
 /// as a function of the slider's x [m]. They are solved anew at every position along the skin, and
 /// take the more modes the nearer an end is (`finite_layers::FreeEnds::Rows::add`).

@@ -26,7 +26,7 @@ ContactGrid two_cells() {
 }
 
 LayeredSkin skin() {
-  return {long_skin(), two_cells(), skin_resolution(elastic_layers(long_skin()), {3e-3, 0.25e-3})};
+  return {long_skin(), two_cells(), skin_resolution(long_skin(), {3e-3, 0.25e-3})};
 }
 
 /// Largest difference of some order of equally spaced values.

@@ -42,8 +42,7 @@ BothForms both_forms(const std::string& name, const Case& input, bool half, doub
   }
   forms.grid.half = half;
   const std::array<double, 2> centre{1e-3, centre_y};
-  const fl::LayeredSkin skin(input.skin, forms.grid,
-                             fl::skin_resolution(fl::elastic_layers(input.skin), {6e-4, 4e-4}));
+  const fl::LayeredSkin skin(input.skin, forms.grid, fl::skin_resolution(input.skin, {6e-4, 4e-4}));
   forms.matrix = skin.across(centre_y).compliance(centre[0]);
   auto convolution = std::make_shared<fl::CellConvolution>(forms.grid);
   convolution->include(skin.short_waves(), fl::own_images(forms.grid));
