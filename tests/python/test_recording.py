@@ -98,6 +98,23 @@ class Touch(PackageTest):
         self.assertTrue(any("set a larger one with --contact-force" in note for note in path.notes), path.notes)
         self.assertFalse(any("set a larger one" in note for note in ionskin.motion(self.touch()).notes))
 
+    def test_recordings_that_do_not_overlap(self):
+        """The message gives the span of each recording, and the offset that lets them begin together."""
+        nothing = 0 * self.time
+        places = self.table("places.csv", time=self.time + 1764446200.25, x_mm=self.x, y_mm=nothing)
+        force = self.table("force.csv", time=self.time + 12, force=self.force)
+        spans = {places: r"\S*places.csv from 1764446200.25 to 1764446202.85 s", force: r"\S*force.csv from 12 to 14.6 s"}
+        for files in ([places, force], [force, places]):
+            with self.subTest(files[0].name), self.assertRaisesRegex(
+                    ionskin.CaseError, f"the recordings do not overlap in time: {', '.join(spans[one] for one in files)}\n"
+                    r"  = correct the offset between the clocks \(if \S*places.csv and \S*force.csv began at one instant, subtract "
+                    r"1764446188.25 s from the times of \S*places.csv\), or name the unit of the times with --column"):
+                ionskin.motion(files)
+        short = self.table("short.csv", time=[12.001, 12.002, 12.003], x_mm=[4.5] * 3, y_mm=[0.5] * 3)
+        with self.assertRaisesRegex(ionskin.CaseError, r"fewer than two rows of \S*force.csv lie within the time that all recordings "
+                                    r"cover: .*short.csv from 12.001 to 12.003 s\n  = name a recording with more rows first"):
+            ionskin.motion([force, short])
+
     def test_a_quaternion_of_zeros_is_told_with_its_row(self):
         nothing, one = 0 * self.time, 1 + 0 * self.time
         zeros = self.touch(qx=nothing, qy=nothing, qz=nothing, qw=nothing)
