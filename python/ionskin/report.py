@@ -52,7 +52,8 @@ def claims_section(study, wanted=False):
     judged = claims.judge(study)
     verdicts = [verdict for verdict in judged if wanted or verdict.verdict != claims.OPEN]
     left = len(judged) - len(verdicts)
-    data = {"about": paper.ABOUT, "verdicts": verdicts, "more": claims.more(study, left) if left else ""}
+    about = paper.ABOUT if study.whole is study else f"{paper.ABOUT} {study.note}"
+    data = {"about": about, "verdicts": verdicts, "more": claims.more(study, left) if left else ""}
     return pages.Section("claims", "The article's claims", "verdicts", data)
 
 

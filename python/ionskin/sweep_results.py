@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Results of a sweep, read from its folder, and the runs that a report draws, in the order of one swept key."""
 
+import copy
 import functools
 import pathlib
 import re
@@ -17,6 +18,7 @@ POINT = re.compile(r"points/(?!\.{1,2}$)[^/\0]+")
 NAMES = {FRICTION: "friction coefficient µ", "coupling.coefficient": "coupling coefficient k",
          "motion.preload": "preload", "motion.stroke": "stroke", "electrochemistry.diffusivity": "diffusivity"}
 LONGEST_VALUE = 24  # letters of a swept text in a label
+MOST_EXPLORED = 200  # points of a grid of which every curve is kept
 TYPICAL_FRICTION = 0.3  # the paper's representative curves are drawn at one coefficient within its sweep
 
 
@@ -133,13 +135,15 @@ class Member(NamedTuple):
 class Study:
     """Runs that the figures of a report show: the finished points of a sweep along one key, or a single run.
 
-    In a grid of several keys the members are the points at which the other keys have the values of the first finished point.
+    In a grid of several keys the members are the points at which the other keys have the values of the first finished point;
+    `slices` and `whole` have the other points of a grid of at most 200 points.
 
     key, name, unit  the key along which the members lie, its name in words and its SI unit; key is "point" where no swept key
                      is a number
     members          list of Member, in ascending order of the key's value
     scattered        True if other keys vary along the members, too, as in a sampled sweep: they do not form a curve
     note             text that says which points of the sweep are not shown; "" when all are
+    at               text of the values of the other keys of a grid, such as "preload = 1 N"; "" without a grid
     sweep            the Sweep; None for a single run
 
     Raises FileNotFoundError when the folder holds no results or no point has finished, CaseError for damaged files.
@@ -152,7 +156,8 @@ class Study:
         results  Results of the folder's run, where they have been read already; None to read the folder
         """
         folder = pathlib.Path(folder)
-        self.folder, self.note, self.scattered = folder, "", False
+        self.folder, self.note, self.at, self.scattered = folder, "", "", False
+        self._more = []  # points of the other slices
         self.sweep = Sweep(folder) if results is None and (folder / "sweep.csv").exists() else None
         if self.sweep:
             self._take_members()
@@ -170,18 +175,59 @@ class Study:
             raise FileNotFoundError(f"{self.folder}: no point of this sweep has finished")
         self.key = FRICTION if FRICTION in numeric else numeric[0] if numeric else "point"
         self.unit = self.sweep.keys.get(self.key, "1")
-        others = [key for key in self.sweep.keys if key != self.key]
-        first = finished[0].values
-        shown = [point for point in finished if all(point.values[key] == first[key] for key in others)]
+        slices = {}
+        for point in finished:
+            slices.setdefault(tuple(value for key, value in point.values.items() if key != self.key), []).append(point)
+        shown, *more = slices.values()
         self.scattered = len(shown) < min(2, len(finished))
         if self.scattered:
             shown = finished
             self.note = f"{' and '.join(self.sweep.keys)} vary at once: every finished point is shown."
-        elif len(shown) < len(finished):
-            at = ", ".join(f"{key} = {value_text(first[key], self.sweep.keys[key])}" for key in others)
-            self.note = f"Shown at {at}: {len(shown)} of {len(finished)} finished points."
+        self._take(shown)
+        if more and not self.scattered:
+            self._name_slice(len(finished))
+            self._more = more if len(finished) <= MOST_EXPLORED else []
+
+    def _take(self, points):
         self.members = sorted((Member(point.values.get(self.key, point.number), Results(point.folder), point.number,
-                                      point.values) for point in shown), key=lambda member: member.value)
+                                      point.values) for point in points), key=lambda member: member.value)
+
+    def _name_slice(self, finished):
+        values = {key: value_text(value, self.sweep.keys[key]) for key, value in self.members[0].values.items() if key != self.key}
+        self.at = ", ".join(f"{symbol(key)} = {value}" for key, value in values.items())
+        at = ", ".join(f"{key} = {value}" for key, value in values.items())
+        self.note = f"Shown at {at}: {len(self.members)} of {finished} finished points."
+
+    @functools.cached_property
+    def slices(self):
+        """Studies along the key in a grid of several keys, one for each combination of values of the other keys, this study
+        first; [self] without a grid."""
+        finished = len(self.members) + sum(map(len, self._more))
+        found = [self]
+        for points in self._more:
+            each = self._without_slices()
+            each._take(points)
+            each._name_slice(finished)
+            found.append(each)
+        return found
+
+    @functools.cached_property
+    def whole(self):
+        """Study of every finished point of a grid of several keys, `scattered` as several keys vary; the study itself without
+        a grid."""
+        if not self._more:
+            return self
+        found = self._without_slices()
+        found.members = [member for each in self.slices for member in each.members]
+        found.scattered, found.note, found.at = True, "", ""
+        return found
+
+    def _without_slices(self):
+        found = copy.copy(self)
+        for name in ("slices", "whole", "typical"):
+            found.__dict__.pop(name, None)
+        found._more = []
+        return found
 
     @property
     def numeric_keys(self):

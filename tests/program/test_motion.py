@@ -161,6 +161,20 @@ class Recording(ProgramTest):
                               self.force)
             self.each(name)
 
+    def test_a_turn_is_taken_into_the_path(self):
+        place, turn = self.robot()  # turns by 0.4 rad/s
+        name = self.table("turned.csv", "t,x [m],y [m],z [m],qx,qy,qz,qw,force", self.time, *place.T, *turn.T, self.force)
+        arguments = ("motion", name, *FRAME, "--tool", "0, 10 mm, -80 mm", "-o", "path.csv", "--overwrite")
+        self.assertRegex(self.run_program(*arguments).stdout, "turns about the normal by up to .*: --angles takes it into the path")
+        told = self.run_program(*arguments, "--angles").stdout
+        self.assertNotIn("turns about the normal", told)
+        lines = (self.folder / "path.csv").read_text().splitlines()
+        self.assertEqual(lines[0], "time [s],x [mm],y [mm],height [mm],force [N],roll [deg],pitch [deg],yaw [deg]")
+        rows = numpy.array([[float(cell or "nan") for cell in line.split(",")] for line in lines[1:]])
+        pressed = rows[numpy.isfinite(rows[:, 4])]
+        numpy.testing.assert_allclose(pressed[:, 5:7], 0, atol=1e-5)
+        numpy.testing.assert_allclose(pressed[:, 7], numpy.degrees(0.4 * (pressed[:, 0] - pressed[0, 0])), atol=1e-4)
+
     def test_what_recorders_do_to_a_table(self):
         header, columns = "t,x [m],y [m],z [m],force", (self.time, self.x, self.y, self.height, self.force)
         mixed = [numpy.concatenate((one[:100], one[99:])) for one in columns]  # a stamp twice ...

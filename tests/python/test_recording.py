@@ -98,6 +98,23 @@ class Touch(PackageTest):
         self.assertTrue(any("set a larger one with --contact-force" in note for note in path.notes), path.notes)
         self.assertFalse(any("set a larger one" in note for note in ionskin.motion(self.touch()).notes))
 
+    def test_recordings_that_do_not_overlap(self):
+        """The message gives the span of each recording, and the offset that lets them begin together."""
+        nothing = 0 * self.time
+        places = self.table("places.csv", time=self.time + 1764446200.25, x_mm=self.x, y_mm=nothing)
+        force = self.table("force.csv", time=self.time + 12, force=self.force)
+        spans = {places: r"\S*places.csv from 1764446200.25 to 1764446202.85 s", force: r"\S*force.csv from 12 to 14.6 s"}
+        for files in ([places, force], [force, places]):
+            with self.subTest(files[0].name), self.assertRaisesRegex(
+                    ionskin.CaseError, f"the recordings do not overlap in time: {', '.join(spans[one] for one in files)}\n"
+                    r"  = correct the offset between the clocks \(if \S*places.csv and \S*force.csv began at one instant, subtract "
+                    r"1764446188.25 s from the times of \S*places.csv\), or name the unit of the times with --column"):
+                ionskin.motion(files)
+        short = self.table("short.csv", time=[12.001, 12.002, 12.003], x_mm=[4.5] * 3, y_mm=[0.5] * 3)
+        with self.assertRaisesRegex(ionskin.CaseError, r"fewer than two rows of \S*force.csv lie within the time that all "
+                                    r"recordings cover: .*short.csv from 12.001 to 12.003 s\n  = name a recording with more rows first"):
+            ionskin.motion([force, short])
+
     def test_a_quaternion_of_zeros_is_told_with_its_row(self):
         nothing, one = 0 * self.time, 1 + 0 * self.time
         zeros = self.touch(qx=nothing, qy=nothing, qz=nothing, qw=nothing)
@@ -192,11 +209,11 @@ class Touch(PackageTest):
                     told = [note for note in ionskin.motion(steep, level=level).notes if "in contact" in note]
                     self.assertRegex(told[0], rf"{what} tilts by up to 10 degrees from {since} \(roll 0, pitch 10 degrees, at "
                                      r"[0-9.]+ s\), which the path leaves out: .*height map")
-                with self.assertRaisesRegex(ionskin.CaseError, "tilts by up to 10 degrees .*\n  = leave out angles=True; a"):
+                with self.assertRaisesRegex(ionskin.CaseError, "tilts by up to 10 degrees .*\n  = leave out --angles; a"):
                     ionskin.motion(steep, angles=True)
                 slight = self.touch(**self.turned(-3 * ramp, 2 * ramp, 40 * ramp, mount))
                 told = [note for note in ionskin.motion(slight).notes if "in contact" in note]
-                self.assertRegex(told[0], "tilts by up to 3.61 degrees .*turns about the normal by up to 40, .*: .*angles=True")
+                self.assertRegex(told[0], "tilts by up to 3.61 degrees .*turns about the normal by up to 40, .*: --angles takes it")
                 path = ionskin.motion(slight, angles=True)
                 self.assertFalse([note for note in path.notes if "in contact" in note])
                 pressed = numpy.isfinite(path.force)
@@ -208,7 +225,7 @@ class Touch(PackageTest):
                 self.assertEqual(lines[1 + 200].split(",")[5:], ["-3.000000", "2.000000", "40.000000"])
         upright = self.touch(**self.turned(0, 10 * (self.time > 2), 0, down))
         self.assertFalse([note for note in ionskin.motion(upright).notes if "in contact" in note])
-        for changes, word in (({"level": "height"}, "needs a force"), ({}, "angles=True needs a quaternion")):
+        for changes, word in (({"level": "height"}, "--angles needs a force"), ({}, "--angles needs a quaternion")):
             recording = upright if changes else self.touch()
             with self.assertRaisesRegex(ionskin.CaseError, word):
                 ionskin.motion(recording, angles=True, **changes)

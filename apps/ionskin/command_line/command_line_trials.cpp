@@ -143,6 +143,9 @@ void add_motion(CLI::App& app, Command& command) {
   text("--contact-force", options->contact_force,
        "Force above which the finger touches (default: above the noise)", "FORCE");
   verb->add_flag("--tare", options->tare, "Subtract the force at rest");
+  verb->add_flag("--angles", options->angles,
+                 "Take roll, pitch and yaw of the quaternion into the path (a tilt of at most 5 "
+                 "degrees); without it the finger stays upright");
   text("--gap", options->gap, "Height off the skin where none is recorded (default: 1 mm)",
        "LENGTH");
   text("--rate", options->rate, "Resample to so many rows a second, such as 100Hz", "FREQUENCY");

@@ -131,6 +131,7 @@ struct MotionOptions {
   std::string origin, x_axis, y_axis, tool, force_in = "skin", level = "auto";
   std::string contact_force, gap, rate, filter;
   bool tare = false;
+  bool angles = false; ///< true for a path with roll, pitch and yaw
   bool overwrite = false;
   bool quiet = false;
 };

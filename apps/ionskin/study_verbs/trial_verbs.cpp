@@ -21,7 +21,7 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(DesignOptions, free, subject_to, maximise, mi
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(GenerateOptions, vary, touches, seed)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(MotionOptions, recordings, output, columns, origin, x_axis,
                                    y_axis, tool, force_in, level, contact_force, gap, rate, filter,
-                                   tare, overwrite, quiet)
+                                   tare, angles, overwrite, quiet)
 
 namespace {
 

@@ -19,12 +19,21 @@ FADE = 0.9  # of the palette: without its palest colours
 LINEAR = 1e-3  # part of the peak within which the colours of a map of currents are linear
 
 
-def looks(study):
-    """Looks of a Study's members: triples of member, colour from dark to light, and label, "" for some where there are many."""
-    shown = study.members[::-(-len(study.members) // MOST_MEMBERS)]
+def spread(family, label):
+    """Looks of a family of curves: triples of entry, colour from dark to light, and label, "" for some where there are many.
+
+    family  list of entries; of very many, some are left out
+    label   function of an entry that returns its label
+    """
+    shown = family[::-(-len(family) // MOST_MEMBERS)]
     named = set(numpy.linspace(0, len(shown) - 1, min(MOST_NAMED, len(shown))).round().astype(int))
-    return [(member, BLUE if study.single else mixed(SEQUENCE, FADE * place / max(1, len(shown) - 1)),
-             study.panel_label(member)[:36] if place in named and not study.single else "") for place, member in enumerate(shown)]
+    return [(entry, mixed(SEQUENCE, FADE * place / max(1, len(shown) - 1)), label(entry)[:36] if place in named else "")
+            for place, entry in enumerate(shown)]
+
+
+def looks(study):
+    """Looks of a Study's members as of `spread`; a single member is blue, without a label."""
+    return [(study.members[0], BLUE, "")] if study.single else spread(study.members, study.panel_label)
 
 
 def shear(study):

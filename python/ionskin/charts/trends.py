@@ -9,7 +9,7 @@ from ..page.quantities import words
 from ..words import quantity
 from .chart import Axis, Cell, Chart, Curve, Map, Mark, Span, quiet_note
 from .colours import BAND_STRONG, BLUE, GREEN, INK, ORANGE, PALE, PURPLE
-from .family import NEEDS_SEVERAL, NO_CURRENT, key_axis, looks, value_edges
+from .family import NEEDS_SEVERAL, NO_CURRENT, key_axis, looks, spread, value_edges
 from .fields import NO_CONTACT, STUCK, cell_areas, fields_of
 from .spans import peak_of, slide_start
 
@@ -41,11 +41,13 @@ def metric(study, name, label="", colour=BLUE, look=""):
 
 
 def reading(study, name):
-    """Chart of a metric, with its stated errors, against the swept key."""
-    curve, unit = metric(study, name, "", GREEN), study.typical.results.metrics[name].unit
-    top = float(numpy.nanmax(curve.band[1] if curve.band else curve.y))
-    return Chart([[Cell(words(name), along(study), Axis("value", unit, min(0.0, float(numpy.nanmin(curve.y))), 1.08 * top or 1.0), (curve,),
-                        height=1.2)]])
+    """Chart of a metric, with its stated errors, against the swept key; of a grid with a curve for each slice."""
+    looks_of_slices = spread(study.slices, lambda each: each.at) if len(study.slices) > 1 else [(study, GREEN, "")]
+    curves = tuple(metric(each, name, label, colour) for each, colour, label in looks_of_slices)
+    unit = study.typical.results.metrics[name].unit
+    top = float(numpy.nanmax(numpy.concatenate([curve.band[1] if curve.band else curve.y for curve in curves])))
+    low = float(numpy.nanmin(numpy.concatenate([curve.y for curve in curves])))
+    return Chart([[Cell(words(name), along(study.whole), Axis("value", unit, min(0.0, low), 1.08 * top or 1.0), curves, height=1.2)]])
 
 
 def shear_cell(study, name, axis, title):

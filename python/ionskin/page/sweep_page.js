@@ -158,6 +158,12 @@
     holder.append(chart);
     const known = DATA.members.map((member, i) => [key.values[i], metric.values[i], i]).filter((entry) => entry[1] !== null);
     if (!known.length) return;
+    // Runs that differ in the key of the axis alone are one curve; that of the run above is drawn last.
+    const others = DATA.choices.filter((choice) => choice.axis !== state.key), curves = new Map();
+    const curveOf = (member) => others.map((choice) => choice.of[member]).join(), own = curveOf(state.member);
+    for (const entry of known) curves.set(curveOf(entry[2]), [...(curves.get(curveOf(entry[2])) || []), entry]);
+    const inFront = [...known].sort((a, b) => (curveOf(a[2]) === own) - (curveOf(b[2]) === own));
+    const colour = (member) => DATA.scattered || curveOf(member) === own ? "--blue" : "--pale";
     const xs = known.map((entry) => entry[0]), ys = known.map((entry) => entry[1]);
     const pad = 0.05 * (Math.max(...xs) - Math.min(...xs)) || Math.abs(xs[0]) * 0.1 || 1;
     const top = Math.max(0, ...ys), low = Math.min(0, ...ys);
@@ -167,12 +173,15 @@
     const words = metric.name;
     title(svg, words, words);
     if (!DATA.scattered) {
-      make(svg, "path", { class: "curve", style: "stroke: var(--blue)",
-                          d: known.map(([x, y], i) => `${i ? "L" : "M"}${frame.px(x)} ${frame.py(y)}`).join("") });
+      for (const [name, curve] of [...curves].sort((a, b) => (a[0] === own) - (b[0] === own))) {
+        make(svg, "path", { class: "curve", style: `stroke: var(${colour(curve[0][2])})`, "data-curve": name,
+                            d: curve.sort((a, b) => a[0] - b[0]).map(([x, y], i) => `${i ? "L" : "M"}${frame.px(x)} ${frame.py(y)}`).join("") });
+      }
+      if (curves.size > 1) legend(svg, frame, [others.map((choice) => choice.texts[choice.of[state.member]]).join(", ")], ["--blue"]);
     }
-    for (const [x, y, i] of known) {
+    for (const [x, y, i] of inFront) {
       const mark = make(svg, "circle", { cx: frame.px(x), cy: frame.py(y), r: i === state.member ? 7 : 4.5,
-                                         style: `fill: var(${i === state.member ? "--orange" : "--blue"}); cursor: pointer` });
+                                         style: `fill: var(${i === state.member ? "--orange" : colour(i)}); cursor: pointer` });
       make(mark, "title", {}, `${DATA.members[i].label}: ${withUnit(y, metric.unit)}`);
       mark.addEventListener("click", () => pick(i));
     }
@@ -191,12 +200,22 @@
     drawAll();
   }
 
+  // The run with a value of one key that has the most other values in common with the run that is shown.
+  function nearest(chosen, place) {
+    const common = (member) => DATA.choices.filter((choice) => choice.of[member] === choice.of[state.member]).length;
+    const having = [...DATA.members.keys()].filter((member) => chosen.of[member] === place);
+    return having.reduce((best, member) => common(member) > common(best) ? member : best);
+  }
+
   function drawAll() {
-    const picker = document.querySelector("#explore .picker"), metrics = document.getElementById("metrics");
-    picker.textContent = "";
-    if (DATA.members.length > 1) {
-      DATA.members.forEach((member, i) => button(picker, member.short, i === state.member, () => pick(i)));
-    }
+    const metrics = document.getElementById("metrics");
+    document.querySelectorAll("#explore .picker").forEach((picker, row) => {
+      const choice = DATA.choices[row];
+      picker.textContent = "";
+      if (DATA.members.length > 1) {
+        choice.texts.forEach((text, place) => button(picker, text, place === choice.of[state.member], () => pick(nearest(choice, place))));
+      }
+    });
     WIDTH = Math.max(NARROWEST, Math.min(900, document.getElementById("charts").clientWidth));
     const keys = document.getElementById("keys");
     if (keys) keys.textContent = "";

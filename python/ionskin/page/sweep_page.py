@@ -9,7 +9,7 @@ import numpy
 from ..charts import numbered, skin, trends
 from ..charts.readout import carries_nothing, is_open
 from ..charts.spans import contact_spans
-from ..sweep_results import value_text
+from ..sweep_results import symbol, value_text
 from ..words import quantity, without_folders
 from . import pages, quantities, report_text
 from .chart_data import chart_data, rounded
@@ -19,6 +19,7 @@ NUMBER = re.compile(r"[-+]?\d+(?:\.\d+)?(?:e[-+]?\d+)?")
 TOLD_BY = 40  # letters from its beginning that tell a warning from another
 MOST_NAMED = 3  # points of a warning
 TREND_NOTE = "A click on a mark shows its run in the charts above."
+GRID_NOTE = "Blue: the runs that differ from this run in the key of the axis alone."
 CURVES = [("slider_x", "position x", "m"), ("slider_z", "height z", "m"), ("slider_y", "position y", "m"),
           ("mean_shear", "mean shear γ", "1"), ("voltage", "voltage", "V"), ("current_top", "top", "A"), ("current_bottom", "bottom", "A"), ("current_difference", "difference", "A"),
           ("current_common", "common", "A")]
@@ -28,7 +29,10 @@ COLUMNS = ["peak_sampled_current_difference", "peak_voltage", "peak_mean_shear",
 
 
 def member_data(study, member):
-    """Data of one Member for the interactive charts: signals and currents at the readout's instants, phases."""
+    """Data of one Member for the interactive charts: signals and currents at the readout's instants, phases.
+
+    study  the Study, whose `whole` has the member
+    """
     results = member.results
     time = results.sampled["time"]
     rounding = ("current_",) if carries_nothing(results) else ("current_difference",) if is_open(results) else ()  # columns of nothing else
@@ -42,32 +46,65 @@ def member_data(study, member):
             series[name] = rounded(results.sampled[name])
         elif results.signals.has(name):
             series[name] = rounded(results.signals.at(name, time))
-    label = without_folders(study.label(member))
-    return {"label": label, "short": f"point {member.number}" if study.scattered else label,
-            "time": rounded(time), "series": series,
+    label = without_folders(study.whole.label(member))
+    return {"label": label, "short": short_label(study, member), "time": rounded(time), "series": series,
             "phases": [[span.phase, round(span.start, 6), round(span.end, 6)] for span in contact_spans(results)]}
 
 
 def axes(study):
-    """Data of the axes for charts of metrics: the study's key, and in a scattered study every swept key that is a number."""
-    keys = [study.key, *(key for key in study.numeric_keys if key != study.key)] if study.scattered else [study.key]
+    """Data of the axes for charts of metrics: the study's key, and where several keys vary every swept key that is a number."""
     return [{"name": study.axis_label(key).split(" [")[0], "axis": study.axis_label(key),
              "unit": study.sweep.keys.get(key, "1") if study.sweep else "1",
-             "values": rounded([member.values.get(key, member.value) for member in study.members])} for key in keys]
+             "values": rounded([member.values.get(key, member.value) for member in study.whole.members])} for key in axis_keys(study)]
+
+
+def axis_keys(study):
+    """Keys of the axes for charts of metrics."""
+    more = study.numeric_keys if study.whole.scattered else []
+    return [study.key, *(key for key in more if key != study.key)]
+
+
+def choices(study):
+    """Data of the rows of buttons that choose a run: one for each key of a grid that varies, else one of all runs.
+
+    name   key in words
+    texts  words of the buttons
+    of     index in `texts` for each member of the whole study
+    axis   index of the key in `axes`; None for a key of texts
+    """
+    members = study.whole.members
+    if study.whole is study:
+        return [{"name": "run", "texts": [short_label(study, member) for member in members], "of": list(range(len(members))), "axis": 0}]
+    found, numbers = [], axis_keys(study)
+    for key, unit in study.sweep.keys.items():
+        values = list(dict.fromkeys(member.values[key] for member in members))
+        if unit:
+            values.sort()
+        if len(values) > 1:
+            texts = [without_folders(f"{symbol(key)} = {value_text(each, unit)}") for each in values]
+            found.append({"name": study.axis_label(key).split(" [")[0], "texts": texts, "of": [values.index(member.values[key]) for member in members],
+                          "axis": numbers.index(key) if key in numbers else None})
+    return found
+
+
+def short_label(study, member):
+    """Label of a member for a button and the title of a chart."""
+    return f"point {member.number}" if study.scattered else without_folders(study.whole.label(member))
 
 
 def data(study):
-    """Data of the script that draws the interactive charts of a Study."""
-    metrics = [{"name": quantities.words(name), "unit": study.typical.results.metrics[name].unit, "values": rounded(study.metric(name))}
+    """Data of the script that draws the interactive charts of a Study: of every point of a grid."""
+    whole = study.whole
+    metrics = [{"name": quantities.words(name), "unit": study.typical.results.metrics[name].unit, "values": rounded(whole.metric(name))}
                for name in AGAINST if name in study.typical.results.metrics]
-    return {"keys": axes(study), "scattered": study.scattered,
-            "members": [member_data(study, member) for member in study.members],
-            "typical": study.members.index(study.typical), "metrics": metrics,
+    return {"keys": axes(study), "choices": choices(study), "scattered": study.scattered,
+            "members": [member_data(study, member) for member in whole.members],
+            "typical": whole.members.index(study.typical), "metrics": metrics,
             "curves": [{"name": name, "label": label, "unit": unit} for name, label, unit in CURVES]}
 
 
 def figures(study):
-    """Data of the section of a Study's numbered figures, {"pictures", "notes"}, and dict of name to Chart."""
+    """Data of the section of a Study's numbered figures, {"at", "pictures", "notes"}, and dict of name to Chart."""
     pictures, reasons, charts = [], {}, {}
     for entry, chart in numbered.charts(study):
         if isinstance(chart, str):
@@ -76,7 +113,7 @@ def figures(study):
             charts[entry.name] = chart
             pictures.append(pages.Picture(entry.name, f"Figure {entry.number}. {entry.heading}", f"{entry.caption} {chart.note}".strip(), None))
     notes = [f"Figure{'s' * (len(names) > 1)} {', '.join(names)}: left out, {reason}." for reason, names in reasons.items()]
-    return {"pictures": pictures, "notes": notes}, charts
+    return {"at": "" if study.whole is study else study.note, "pictures": pictures, "notes": notes}, charts
 
 
 def warnings(study):
@@ -90,7 +127,8 @@ def warnings(study):
         if len(same) == len(study.members):
             of = "Every point"
         else:
-            of = ", ".join(study.label(member) for member, _ in same[:MOST_NAMED]) + (f" and {len(same) - MOST_NAMED} more" if len(same) > MOST_NAMED else "")
+            between = "; " if study.scattered else ", "  # labels of several keys have commas
+            of = between.join(study.label(member) for member, _ in same[:MOST_NAMED]) + (f" and {len(same) - MOST_NAMED} more" if len(same) > MOST_NAMED else "")
         texts.append(f"{of}: {same[-1][1]}" + (f" (of {study.label(same[-1][0])})" if len({text for _, text in same}) > 1 else ""))
     return texts
 
@@ -115,7 +153,7 @@ def explore(study):
     """Data of the section with interactive charts; None where nothing was sampled."""
     if "time" not in study.typical.results.sampled:
         return None
-    return {"several": not study.single, "notes": []}
+    return {"several": not study.single, "pickers": [choice["name"] for choice in choices(study)], "notes": []}
 
 
 def script(study):
@@ -130,23 +168,23 @@ def readable(study):
 
 def answer(study):
     """Opening sentences of a sweep's page: how the reading between the electrodes follows the key, and where it is largest."""
-    name = readable(study)
+    whole, name = study.whole, readable(study)
     if name is None:
-        return [study.note] if study.note else []
-    values, unit = numpy.array(study.metric(name), float), study.typical.results.metrics[name].unit
+        return [whole.note] if whole.note else []
+    values, unit = numpy.array(whole.metric(name), float), study.typical.results.metrics[name].unit
     order = numpy.argsort(numpy.nan_to_num(values, nan=-numpy.inf))
-    most, least = (study.members[place] for place in (order[-1], order[len(values) - numpy.isfinite(values).sum()]))
+    most, least = (whole.members[place] for place in (order[-1], order[len(values) - numpy.isfinite(values).sum()]))
 
     def with_error_at(member):
         error = report_text.error(member.results, name)
-        return report_text.value(member.results, name) + (f" ({error})" if error else "") + f" at {study.label(member)}"
+        return report_text.value(member.results, name) + (f" ({error})" if error else "") + f" at {whole.label(member)}"
 
     words = quantities.words(name)
     if quantity(numpy.nanmin(values), unit, 3) == quantity(numpy.nanmax(values), unit, 3):
         first = f"{words}: {quantity(numpy.nanmax(values), unit, 3)} at every point."
     else:
         first = f"{words}: from {with_error_at(least)} to {with_error_at(most)}."
-    return [first, *([study.note] if study.note else [])]
+    return [first, *([whole.note] if whole.note else [])]
 
 
 def page(study, verdicts):
@@ -159,12 +197,12 @@ def page(study, verdicts):
         picture = pages.Picture("reading", "What can be read", "One mark per run. Shaded: the stated error.", None)
     title = results.case.get("title") or study.folder.resolve().name
     finished = sum(point.status == "finished" for point in study.sweep.points)
-    against = "Against the swept keys" if study.scattered else f"Against the {study.name}"
+    against = "Against the swept keys" if study.whole.scattered else f"Against the {study.name}"
     sections = [
-        pages.Section("warnings", "Warnings", "warnings", {"texts": warnings(study)}),
+        pages.Section("warnings", "Warnings", "warnings", {"texts": warnings(study.whole)}),
         pages.Section("failures", "Points that failed", "table", failures(study)),
         pages.Section("explore", "Explore", "explore", explore(study)),
-        pages.Section("against", against, "trend", {"notes": [TREND_NOTE]}),
+        pages.Section("against", against, "trend", {"notes": [TREND_NOTE if study.whole is study else f"{TREND_NOTE} {GRID_NOTE}"]}),
         verdicts,
         pages.Section("figures", "Figures", "gallery", gallery),
         pages.Section("points", "Points", "table", points(study)),

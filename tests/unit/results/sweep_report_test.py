@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Sweeps made by hand: reading, figures, claims, regimes, comparison, and the page in a browser."""
 
+import itertools
 import json
 import pathlib
 import re
@@ -10,6 +11,7 @@ import sys
 import tempfile
 import unittest
 from types import SimpleNamespace
+from unittest import mock
 
 import matplotlib.text
 import matplotlib.transforms
@@ -18,12 +20,12 @@ import numpy
 import page_faults
 from browser import browser_page, chromium
 from ionskin import Results, Study
-from ionskin import compare
+from ionskin import compare, sweep_results
 from ionskin.analysis import sensitivity
 from ionskin.article import claims, regimes
 from ionskin.charts import contact, numbered
 from ionskin.drawing import draw_chart
-from ionskin.page import quantities
+from ionskin.page import quantities, sweep_page
 from ionskin.report import make_gallery, make_report
 from report_test import write_run
 
@@ -390,6 +392,103 @@ class Page(SweepTest):
         left, top, width, height = page.box("#trend circle:nth-of-type(1)")
         page.click(left + width / 2, top + height / 2)
         self.assertEqual(page.evaluate("document.querySelector('#explore [aria-pressed=true]').textContent"), "µ = 0.1")
+
+
+def write_grid(folder, frictions=(0.1, 0.3, 0.5), preloads=(1, 2, 4), missing=()):
+    """A grid of two keys whose shear is their product; point (0.5, 4) has a warning of its own; points in `missing` failed."""
+    rows = ["point,folder,contact.friction [1],motion.preload [N],status,reason,peak_mean_shear [1]"]
+    for number, (friction, preload) in enumerate(itertools.product(frictions, preloads), 1):
+        if (friction, preload) in missing:
+            rows.append(f"{number},points/{number:04},{friction},{preload},failed,it broke,")
+            continue
+        point = folder / "points" / f"{number:04}"
+        point.mkdir(parents=True)
+        write_run(point)
+        shear = 1e-3 * friction * preload
+        summary = json.loads((point / "summary.json").read_text())
+        summary["metrics"] = {"peak_mean_shear": {"value": shear, "unit": "1"}}
+        summary["error_estimate"] = {"peak_mean_shear": 0.1}
+        summary["warnings"] = ["It broke at 7 mm."] if (friction, preload) == (0.5, 4) else []
+        (point / "summary.json").write_text(json.dumps(summary))
+        rows.append(f"{number},points/{number:04},{friction},{preload},finished,,{shear}")
+    (folder / "sweep.csv").write_text("\n".join(rows) + "\n")
+
+
+class Grid(SweepTest):
+    """The page of a sweep over two keys: every value of both can be chosen."""
+
+    def test_slices_and_the_whole(self):
+        write_grid(self.folder, missing=[(0.3, 2)])
+        study = Study(self.folder)
+        self.assertEqual([each.at for each in study.slices], ["preload = 1 N", "preload = 2 N", "preload = 4 N"])
+        self.assertEqual([[member.value for member in each.members] for each in study.slices],
+                         [[0.1, 0.3, 0.5], [0.1, 0.5], [0.1, 0.3, 0.5]])
+        self.assertEqual(study.slices[1].note, "Shown at motion.preload = 2 N: 2 of 8 finished points.")
+        self.assertIs(study.slices[0], study)
+        self.assertEqual(len(study.whole.members), 8)
+        self.assertEqual(study.whole.label(study.whole.members[-1]), "µ = 0.5, preload = 4 N")
+        self.assertEqual((study.label(study.members[-1]), len(study.members), study.scattered), ("µ = 0.5", 3, False))
+        self.assertIs(study.whole.whole, study.whole)
+
+    def test_a_grid_of_very_many_points_is_shown_at_one_value_of_the_second_key(self):
+        write_grid(self.folder)
+        with mock.patch.object(sweep_results, "MOST_EXPLORED", 8):
+            study = Study(self.folder)
+            self.assertEqual((study.whole, study.slices), (study, [study]))
+            self.assertEqual(sweep_page.answer(study)[1], "Shown at motion.preload = 1 N: 3 of 9 finished points.")
+            self.assertEqual([choice["texts"] for choice in sweep_page.data(study)["choices"]], [["µ = 0.1", "µ = 0.3", "µ = 0.5"]])
+
+    def test_a_sweep_over_one_key_is_whole(self):
+        write_sweep(self.folder)
+        study = Study(self.folder)
+        self.assertIs(study.whole, study)
+        self.assertEqual(study.slices, [study])
+
+    def test_opens_with_every_point_and_says_which_the_figures_show(self):
+        write_grid(self.folder)
+        page = make_report(self.folder).read_text()
+        self.assertEqual(re.search(r'<p class="lead">(.*)</p>', page)[1],
+                         "Peak mean shear: from 0.0001 (± 10 %) at µ = 0.1, preload = 1 N to 0.002 (± 10 %) at µ = 0.5, preload = 4 N.")
+        self.assertIn("µ = 0.5, preload = 4 N: It broke at 7 mm.", re.findall("<li>(.*)</li>", page))
+        self.assertRegex(page, r'<h2[^>]*>Figures</h2>\s*<p class="note">Shown at motion.preload = 1 N: 3 of 9 finished points.</p>')
+        curves = sweep_page.trends.reading(Study(self.folder), "peak_mean_shear").rows[0][0].curves
+        self.assertEqual([curve.label for curve in curves], ["preload = 1 N", "preload = 2 N", "preload = 4 N"])
+
+    @unittest.skipUnless(chromium(), "no Chromium on this machine: apt-get install chromium to test the page in it")
+    def test_both_keys_are_chosen_by_buttons(self):
+        write_grid(self.folder, missing=[(0.3, 2)])
+        with browser_page(make_report(self.folder)) as page:
+            self.assertEqual(page.evaluate("document.querySelectorAll('#explore .picker').length"), 2)
+            self.assertEqual(self.pressed(page), ["µ = 0.3", "preload = 1 N"])
+            self.click(page, "#explore .picker:nth-of-type(2) button:nth-child(3)")
+            self.assertEqual(self.pressed(page), ["µ = 0.3", "preload = 4 N"])
+            self.assertIn("µ = 0.3, preload = 4 N", page.evaluate("document.querySelector('#charts .name').textContent"))
+            self.assertEqual(page.evaluate("document.querySelectorAll('#trend path.curve').length"), 3)
+            self.assertIn("preload = 4 N", self.trend_texts(page))
+            self.click(page, "#explore .picker:nth-of-type(2) button:nth-child(2)")  # its run at 0.3 failed
+            self.assertIn(self.pressed(page), [["µ = 0.1", "preload = 2 N"], ["µ = 0.5", "preload = 2 N"]])
+            self.click(page, "#keys button:nth-child(2)")
+            self.assertIn("4 N", self.trend_texts(page))
+            self.assertEqual(page.evaluate("document.querySelectorAll('#trend path.curve').length"), 3)
+            self.assertEqual(page.evaluate("document.querySelectorAll('#trend circle').length"), 8)
+            friction = self.pressed(page)[0]
+            self.click(page, "#trend circle:nth-of-type(1)")  # of another curve
+            self.assertNotEqual(self.pressed(page)[0], friction)
+            for width in page_faults.WIDTHS:
+                self.assertEqual(page_faults.faults(page, width), [])
+
+    def pressed(self, page):
+        """Texts of the chosen buttons of Explore."""
+        return page.evaluate("[...document.querySelectorAll('#explore [aria-pressed=true]')].map((node) => node.textContent)")
+
+    def trend_texts(self, page):
+        """Texts of the chart of metrics."""
+        return page.evaluate("[...document.querySelectorAll('#trend text')].map((node) => node.textContent)")
+
+    def click(self, page, selector):
+        """Clicks into the middle of an element."""
+        left, top, width, height = page.box(selector)
+        page.click(left + width / 2, top + height / 2)
 
 
 def write_sampled_sweep(folder, count=12):

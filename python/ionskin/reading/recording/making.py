@@ -95,10 +95,10 @@ def motion(recordings, *, columns=(), origin=(0, 0, 0), x_axis=(1, 0, 0), y_axis
 
 def _require_angles(record, pressed):
     """Raises CaseError where a path cannot have angles; `pressed` is an array [rows], True where a force is prescribed."""
-    _require_turn(record, "angles=True", "leave out angles=True")
+    _require_turn(record, "--angles", "leave out --angles")
     if not pressed.any():
-        raise CaseError("angles=True needs a force: a prescribed height is that of the lowest point of the tilted finger, which "
-                        "is not recorded\n  = take level=\"auto\", or leave out angles=True")
+        raise CaseError("--angles needs a force: a prescribed height is that of the lowest point of the tilted finger, which "
+                        "is not recorded\n  = take --level auto, or leave out --angles")
 
 
 def _angles(channels, axes, touches, wanted, notes):

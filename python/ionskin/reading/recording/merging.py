@@ -91,7 +91,7 @@ def merged(paths, wanted, notes) -> Merged:
         begin, end = max(begin, first - start), min(end, first - start + float(other.time[-1]))
     rows = (base.time >= begin - 1e-9) & (base.time <= end + 1e-9)
     if rows.sum() < 2:
-        raise CaseError("the recordings do not overlap in time\n  = are they of one clock, and their units those of --column?")
+        raise CaseError(_apart(paths, parts))
     if not rows.all():
         notes.append(f"{(~rows).sum()} rows are left out where not every recording has begun, or has ended already")
     time = base.time[rows]
@@ -102,6 +102,29 @@ def merged(paths, wanted, notes) -> Merged:
     channels = Channels(time - time[0], values)
     turnless = next((why for *_, why in read if why), "the recording has none")
     return Merged(channels, _sensed(parts, start + time[0], channels.time[-1]) or channels, turnless)
+
+
+def _apart(paths, parts):
+    """Message that recordings share too little time: the span of each of them, and the remedy.
+
+    paths  CSV files
+    parts  pairs of Channels and first time stamp [s], one for each file
+    """
+    begins, ends = [first for _, first in parts], [first + float(one.time[-1]) for one, first in parts]
+    spans = ", ".join(f"{path} from {_seconds(begin)} to {_seconds(end)} s" for path, begin, end in zip(paths, begins, ends))
+    late, early = begins.index(max(begins)), ends.index(min(ends))
+    if begins[late] <= ends[early]:
+        return (f"fewer than two rows of {paths[0]} lie within the time that all recordings cover: {spans}\n"
+                "  = name a recording with more rows first")
+    return (f"the recordings do not overlap in time: {spans}\n"
+            f"  = correct the offset between the clocks (if {paths[late]} and {paths[early]} began at one instant, subtract "
+            f"{_seconds(begins[late] - begins[early])} s from the times of {paths[late]}), or name the unit of the times with "
+            "--column \"time=NAME [unit]\"")
+
+
+def _seconds(value):
+    """Text of a number of seconds to the microsecond, without trailing zeros."""
+    return f"{value:.6f}".rstrip("0").rstrip(".")
 
 
 def _sensed(parts, begin, duration):

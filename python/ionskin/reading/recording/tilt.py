@@ -60,10 +60,10 @@ class Tilt:
     def remedy(self):
         """Remedy for a path that leaves the tilt out."""
         if self.steep.max() <= STEEPEST:
-            return "in Python ionskin.motion(..., angles=True) makes a path that has it"
+            return "--angles takes it into the path"
         return "a case takes tilts up to 5 degrees; for a steeper one give the underside as a height map (docs/shapes.md)"
 
     def require_flat(self):
         """Raises CaseError where the tilt is steeper than a case takes."""
         if self.steep.max() > STEEPEST:
-            raise CaseError(f"{self.sentence()}\n  = leave out angles=True; {self.remedy()}")
+            raise CaseError(f"{self.sentence()}\n  = leave out --angles; {self.remedy()}")
