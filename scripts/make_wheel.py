@@ -65,6 +65,7 @@ def stage(build: pathlib.Path, into: pathlib.Path) -> list[pathlib.Path]:
     for folder in ("cases", "materials"):
         shutil.copytree(ROOT / folder, program / "share" / "ionskin" / folder)
     shutil.copytree("/usr/share/xml/udunits", program / "share" / "udunits")
+    shutil.copy(ROOT / "src" / "ionskin" / "live" / "interface" / "ionskin_live.h", into / "ionskin" / "live")
     files = [(build / "ionskin", program / "bin"), (build / "python" / "libionskin_live.so.1", into / "ionskin" / "live")]
     files += [(build / name, program / "libexec" / "ionskin") for name in PROGRAMS if (build / name).exists()]
     files += [(module, into) for module in sorted((build / "python").glob("_ionskin_solver*.so"))]

@@ -38,6 +38,9 @@ class WheelTest(ProgramTest):
         self.assertEqual(told.returncode, 0, told.stderr)
         self.assertIn(str(self.folder), told.stdout)
         self.assertIn("['numpy']", told.stdout)
+        live = self.folder / "site" / "ionskin" / "live"
+        subprocess.run(["cc", ROOT / "examples" / "live" / "controller.c", "-I", live, "-L", live, "-l:libionskin_live.so.1",
+                        f"-Wl,-rpath,{live}", "-o", self.folder / "controller"], check=True)
         program = self.folder / "site" / "ionskin_program"
         for file in (program / "bin" / "ionskin", program / "libexec" / "ionskin" / "ionskin-solver"):
             loaded = subprocess.run(["ldd", file], capture_output=True, text=True, check=True).stdout

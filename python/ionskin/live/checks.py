@@ -23,7 +23,8 @@ def finite(name: str, values, shape: tuple) -> numpy.ndarray:
     if not numpy.isfinite(array).all():
         first = numpy.unravel_index(numpy.argmin(numpy.isfinite(array)), shape)
         place = f" (first at index {', '.join(map(str, first))})" if shape else ""
-        remedy = "\n  = of a path of ionskin.motion take path.normal_force" if name == "forces" else ""
+        remedy = {"forces": "\n  = of a path of ionskin.motion take path.normal_force",
+                  "heights": "\n  = a path of ionskin.motion has no height where a force presses: give forces=path.normal_force"}.get(name, "")
         raise ValueError(f"{name}: holds NaN or infinity{place}{remedy}")
     return array
 

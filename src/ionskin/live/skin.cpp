@@ -327,7 +327,10 @@ void Skin::tell(const Pressed& pressed, std::span<const ChannelField> fields, st
     signals[common + taxel] = current(sides * (taxel + 1));
     signals[common + regions_ - 1 + taxel] = charge_[sides * (taxel + 1)];
   }
-  std::copy(charge_.begin(), charge_.end(), state_.begin() + static_cast<std::ptrdiff_t>(charges_));
+  if (pressed.first || pressed.time_step > 0) { // else the next step's current has this charge, too
+    std::copy(charge_.begin(), charge_.end(),
+              state_.begin() + static_cast<std::ptrdiff_t>(charges_));
+  }
   std::copy_n(signals.begin(), names_.size(),
               state_.begin() + static_cast<std::ptrdiff_t>(signals_));
 }

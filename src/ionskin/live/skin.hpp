@@ -180,7 +180,8 @@ private:
   std::vector<std::string> names_;
   std::vector<double> state_;
   /// Offsets of the parts of the state: cell forces, surface displacements, memory of friction,
-  /// states and last drives of the charges, waves, charges and signals of the last step.
+  /// states and last drives of the charges, waves, charges of the last step that took time, and
+  /// signals of the last step.
   std::size_t force_ = 0, surface_ = 0, memory_ = 0, filters_ = 0, drives_ = 0, waves_ = 0,
               charges_ = 0, signals_ = 0;
   std::size_t regions_; ///< number of regions: the core and the taxels

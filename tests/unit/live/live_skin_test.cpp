@@ -50,6 +50,18 @@ TEST_F(LiveSkin, SlidesUnderItsFrictionAndTaxelsAddUp) {
   EXPECT_EQ(of(skin, "slider_z"), 1e-4);
 }
 
+TEST_F(LiveSkin, CurrentHasTheChargeThatMovesAtARepeatedTime) {
+  Skin skin(data);
+  step(skin, 0, 2e-3, -5e-7);
+  const double before = of(skin, "charge_top");
+  step(skin, 0, 2.1e-3, -5e-7);
+  EXPECT_EQ(of(skin, "current_top"), 0);
+  EXPECT_NE(of(skin, "charge_top"), before);
+  step(skin, 1e-3, 2.1e-3, -5e-7);
+  const double moved = of(skin, "charge_top") - before;
+  EXPECT_NEAR(of(skin, "current_top"), moved / 1e-3, 1e-9 * std::abs(moved) / 1e-3);
+}
+
 TEST_F(LiveSkin, ChargeSpreadsToTheOtherTaxelWhileASliderRests) {
   SkinData alone = data;
   alone.spread = {};

@@ -36,25 +36,39 @@ constexpr std::size_t samples_at_node = 240;
 /// Share of the signals of a channel beside the charges: its mean and its first moment, so much of
 /// them.
 constexpr double signal_share = 1e-2;
+/// Distance from the footprint up to which strain is evaluated, over the thickness of the skin [1]:
+/// a contact strains as much beside itself, over some thicknesses, as underneath. Further away the
+/// points would move with the position of the slider more than the fits bear.
+constexpr double points_beside = 2;
 
-/// Roots of the volumes of the Gauss points with the slider in the middle of its range; 0 of those
-/// outside the lines that ride with it, which are elsewhere with each of its places.
+/// True if the middle of an element lies within the footprint or at most `margin` [m] beside it.
+/// @param line mesh lines along one direction [m]
+/// @param footprint first element of the footprint and the element behind its last one
+bool is_near(const std::vector<double>& line, std::size_t element,
+             const std::array<std::size_t, 2>& footprint, double margin) {
+  const double middle = (line[element] + line[element + 1]) / 2;
+  return middle >= line[footprint[0]] - margin && middle <= line[footprint[1]] + margin;
+}
+
+/// Roots of the volumes of the Gauss points with the slider at a position [m^(3/2)]; 0 far from the
+/// footprint, where the mesh lines do not keep their distances from the slider.
+/// @param margin distance from the footprint up to which points count [m]
 std::vector<double> point_weights(const mesh::SkinMesh& mesh, const std::array<double, 2>& centre,
-                                  const std::array<std::size_t, 3>& points) {
+                                  const std::array<std::size_t, 3>& points, double margin) {
   const mesh::MeshLines lines = mesh.lines(centre);
   const std::vector<double> z(lines.z.begin() + static_cast<std::ptrdiff_t>(mesh.core_z()[0]),
                               lines.z.begin() + static_cast<std::ptrdiff_t>(mesh.core_z()[1]) + 1);
   const auto length = [](const std::vector<double>& line, std::size_t point) {
     return (line[point / 2 + 1] - line[point / 2]) / 2;
   };
-  const auto x = mesh.footprint_x(), y = mesh.footprint_y(); // places in the lines
   std::vector<double> weights;
   for (std::size_t k = 0; k < points[2]; ++k) {
     for (std::size_t j = 0; j < points[1]; ++j) {
       for (std::size_t i = 0; i < points[0]; ++i) {
-        const bool rides = i / 2 >= x[0] && i / 2 < x[1] && j / 2 >= y[0] && j / 2 < y[1];
-        weights.push_back(rides ? std::sqrt(length(lines.x, i) * length(lines.y, j) * length(z, k))
-                                : 0.0);
+        const bool counts = is_near(lines.x, i / 2, mesh.footprint_x(), margin) &&
+                            is_near(lines.y, j / 2, mesh.footprint_y(), margin);
+        weights.push_back(counts ? std::sqrt(length(lines.x, i) * length(lines.y, j) * length(z, k))
+                                 : 0.0);
       }
     }
   }
@@ -280,8 +294,9 @@ std::vector<ChannelMap> reduce_channels(const Case& input, const SkinData& data,
       recovered(samples, middle, rows, recovery, projection, threads,
                 [&](double fraction) { progress("strain of the contact", fraction); });
   ChannelMeasure measure;
-  measure.point_weight = point_weights(model->mesh, middle, of_channels.front().points);
   const double thickness = input.skin.thickness();
+  measure.point_weight =
+      point_weights(model->mesh, middle, of_channels.front().points, points_beside * thickness);
   const std::array<double, 2> extent{data.length, data.width},
       zones = end_zones(data, places, thickness);
   measure.cell_area = areas_within(grid, middle, extent, zones);
