@@ -175,6 +175,12 @@ class Touch(PackageTest):
         self.assertEqual(len(same.time), 14)
         self.assertFalse(any("finer" in note for note in same.notes), same.notes)
 
+    def test_rounded_frames_leave_a_path_on_the_middle_line(self):
+        off = 1e-6 * numpy.sin(self.time)  # mm
+        path = ionskin.motion(self.touch(y_mm=3 + off, x_mm=self.x + 1e-6))
+        self.assertEqual(set(path.position[:, 1]), {3e-3})
+        numpy.testing.assert_allclose(path.position[:, 0], 1e-3 * self.x, atol=1e-8)
+
     def test_normal_force_of_a_path_is_a_number_in_every_row(self):
         path = ionskin.motion(self.touch())
         pressed = numpy.isfinite(path.force)

@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <string>
 
 namespace ionskin::apps {
 namespace {
@@ -27,13 +28,16 @@ study::Studies studies(const std::string& only) {
   return only == "electrochemistry" ? study::Studies::electrochemistry : study::Studies::both;
 }
 
-/// Prints a note when a run will write gigabytes; not for a strain file, whose output follows from
-/// the file.
-void announce_output(const Case& input, int threads) {
+/// Prints notes when a run will write gigabytes or take minutes; not for a strain file, whose size
+/// follows from the file.
+void announce(const Case& input, int threads) {
   if (input.strain.kind != StrainSourceKind::file) {
-    const double bytes = planning::estimate_cost(input, threads).output;
-    if (const std::string size = planning::announced_output(input, bytes); !size.empty()) {
-      fmt::print(stderr, "{}", paragraph("note: " + size, 2, fileno(stderr)));
+    const planning::CostEstimate cost = planning::estimate_cost(input, threads);
+    for (const std::string& note :
+         {planning::announced_output(input, cost.output), planning::announced_time(input, cost)}) {
+      if (!note.empty()) {
+        fmt::print(stderr, "{}", paragraph("note: " + note, 2, fileno(stderr)));
+      }
     }
   }
 }
@@ -76,7 +80,7 @@ int run(const RunOptions& options, const std::string& command) {
   const Case input = read_case(options.case_path, options.set_edits);
   study::RunOutcome outcome;
   if (options.log != LogFormat::quiet) {
-    announce_output(input, thread_count(options.threads));
+    announce(input, thread_count(options.threads));
   }
   {
     ProgressDisplay display(options.log);

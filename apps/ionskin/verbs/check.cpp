@@ -83,9 +83,9 @@ void print_valid(const CheckOptions& options, const CaseDocument& document,
   for (const std::string& note : document.input.notes) {
     notes += paragraph("note: " + note, 2);
   }
-  if (const std::string size = planning::announced_output(document.input, cost.output);
-      !size.empty()) {
-    notes += paragraph("note: " + size, 2);
+  for (const std::string& note : {planning::announced_output(document.input, cost.output),
+                                  planning::announced_time(document.input, cost)}) {
+    notes += note.empty() ? "" : paragraph("note: " + note, 2);
   }
   fmt::print("{} is valid.\n{}{}{}", base::shown(options.case_path), notes, warning, explanation);
 }

@@ -5,6 +5,8 @@
 #include "ionskin/planning/mechanics_cost.hpp"
 #include "ionskin/planning/output_size.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace ionskin::planning {
@@ -72,6 +74,24 @@ CostEstimate estimate_cost(const Case& input, int threads,
   cost.memory = bytes_at_rest + std::max(mechanics.memory, mechanics.histories + ions.memory);
   cost.output = output_size(input, ions.unknowns, ions.steps);
   return cost;
+}
+
+std::string announced_time(const Case& input, const CostEstimate& cost) {
+  constexpr double worth_telling = 300;
+  constexpr std::size_t many_rows = 200;
+  if (!(cost.seconds > worth_telling)) {
+    return "";
+  }
+  const std::string time = fmt::format("the run will take about {:.2g} min", cost.seconds / 60);
+  if (const std::size_t rows = input.motion.waypoints.size(); rows > many_rows) {
+    return fmt::format(
+        "{}: its path has {} rows. A path with fewer rows takes less; of a recording, "
+        "`ionskin motion --rate 100Hz` or `--filter 10Hz` makes one",
+        time, rows);
+  }
+  return fmt::format("{}; {} takes less", time,
+                     input.numerics.preset == Preset::coarse ? "a smaller numerics.mesh_refinement"
+                                                             : "numerics.preset = \"coarse\"");
 }
 
 } // namespace ionskin::planning

@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
 
 namespace ionskin::planning {
 
@@ -41,5 +42,9 @@ CostEstimate estimate_cost(const Case& input, int threads,
 /// @param given strain history that drives the ions
 /// @param threads that the run will use
 CostEstimate estimate_cost(const Case& input, const history::CoreHistory& given, int threads);
+
+/// Sentence that announces a run of more than five minutes and says what takes less; empty for a
+/// shorter one.
+std::string announced_time(const Case& input, const CostEstimate& cost);
 
 } // namespace ionskin::planning

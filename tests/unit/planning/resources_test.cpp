@@ -54,6 +54,20 @@ TEST(Resources, AreNotThereForFilesThatTheDiskDoesNotHold) {
   unsetenv("IONSKIN_DISK_LIMIT");
 }
 
+TEST(AnnouncedTime, TellsLongRunsAndWhatTakesLess) {
+  Case input = quick();
+  CostEstimate cost;
+  cost.seconds = 200;
+  EXPECT_EQ(announced_time(input, cost), "");
+  cost.seconds = 3300;
+  EXPECT_EQ(announced_time(input, cost),
+            "the run will take about 55 min; a smaller numerics.mesh_refinement takes less");
+  input.numerics.preset = Preset::standard;
+  EXPECT_THAT(announced_time(input, cost), testing::HasSubstr("numerics.preset = \"coarse\""));
+  input.motion.waypoints.resize(3000);
+  EXPECT_THAT(announced_time(input, cost), testing::HasSubstr("has 3000 rows"));
+}
+
 TEST(OutputSize, GrowsWithFieldsReadingsAndTaxels) {
   Case input = quick();
   const double plain = estimate_cost(input, 2).output;

@@ -13,6 +13,7 @@ from .path import Path
 from .tilt import Tilt
 
 LEAD = 0.1  # s before a recording that begins on the skin
+PLACE_DECIMALS = 8  # of positions in m: 1 nm beside the middle of the skin, of rounded quaternions, would double the cost of a run
 
 
 def motion(recordings, *, columns=(), origin=(0, 0, 0), x_axis=(1, 0, 0), y_axis=(0, 1, 0), tool=None, force_in="skin",
@@ -59,6 +60,7 @@ def motion(recordings, *, columns=(), origin=(0, 0, 0), x_axis=(1, 0, 0), y_axis
     if force_in == "tool" and level != "height" and "forces" in channels.values and "force" not in channels.values:
         _require_turn(record, "--force-in tool", "name the force along the normal: --column force=NAME")
     place, height = _on_skin(channels, origin, x_axis, y_axis, tool)
+    place = numpy.round(place, PLACE_DECIMALS)
     force = None if level == "height" else _normal_force(channels, x_axis, y_axis, force_in)
     if level == "force" and force is None:
         raise CaseError("no force is recorded\n  = name its column with --column force=NAME, or take --level height")
