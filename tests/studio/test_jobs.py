@@ -86,12 +86,13 @@ class Jobs(StudioTest):
         return jobs
 
     def test_no_more_jobs_wait_than_are_allowed_and_none_runs_without_memory(self):
-        self.start_with_records({str(number): {"state": "queued", "created": float(number), "memory_bytes": 1e18} for number in range(100, 500)})
+        waiting = {str(number): {"state": "queued", "created": float(number), "memory_bytes": 1e18} for number in range(100, 500)}
+        waiting["100"]["folder"] = "first"
+        self.start_with_records(waiting)
         status, _, text = self.studio.call("POST", "/api/jobs", {"kind": "run", "name": "one_more", "case": QUICK})
         self.assertEqual(status, 429, text)
-        first = self.studio.json("GET", "/api/jobs")[-1]
-        self.assertEqual(first["state"], "failed")
-        self.assertIn("1e+09 GB of memory", first["message"])
+        refused = self.studio.wait("first", lambda one: one["state"] == "failed")
+        self.assertIn("1e+09 GB of memory", refused["message"])
 
     def test_old_and_damaged_records_are_dropped(self):
         ended = {str(number): {"created": float(number)} for number in range(100, 620)}
