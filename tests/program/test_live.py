@@ -511,13 +511,16 @@ class LiveTest(ProgramTest):
         wanted = {True, False}
         while wanted:
             touch = touches.draw(random)
-            begins = slip.slip_step(skin.copy().run(**touch)["stick_share"])
-            if (begins is not None) not in wanted:
+            live = skin.copy().run(**touch)
+            begins, own = slip.slip_step(live["stick_share"]), numpy.column_stack([live[name] for name in slip.channels(skin)])
+            disturbance = slip.NOISE * noise.standard_normal(own.shape)
+            rightly = (detector.call(own + disturbance, begins) is not None) == (begins is not None)
+            if (begins is not None) not in wanted or not rightly:
                 continue
             wanted.remove(begins is not None)
             sticks, currents = self.full_touch(touch, f"slips_{begins is not None}")
             in_full = slip.slip_step(sticks)
-            call = detector.call(currents + slip.NOISE * noise.standard_normal(currents.shape), in_full)
+            call = detector.call(currents + disturbance, in_full)
             if begins is None:
                 self.assertIsNone(in_full)
             else:
