@@ -82,12 +82,14 @@ std::string announced_time(const Case& input, const CostEstimate& cost) {
   if (!(cost.seconds > worth_telling)) {
     return "";
   }
-  const std::string time = fmt::format("the run will take about {:.2g} min", cost.seconds / 60);
+  const double minutes = cost.seconds / 60, hour = 60;
+  const std::string time =
+      "the run will take about " + (minutes < 2 * hour ? fmt::format("{:.0f} min", minutes)
+                                                       : fmt::format("{:.0f} h", minutes / hour));
   if (const std::size_t rows = input.motion.waypoints.size(); rows > many_rows) {
-    return fmt::format(
-        "{}: its path has {} rows. A path with fewer rows takes less; of a recording, "
-        "`ionskin motion --rate 100Hz` or `--filter 10Hz` makes one",
-        time, rows);
+    return fmt::format("{}: its path has {} rows. A path with fewer rows takes less; "
+                       "`ionskin motion --rate 100Hz` makes one of a recording",
+                       time, rows);
   }
   return fmt::format("{}; {} takes less", time,
                      input.numerics.preset == Preset::coarse ? "a smaller numerics.mesh_refinement"

@@ -64,6 +64,8 @@ TEST(AnnouncedTime, TellsLongRunsAndWhatTakesLess) {
             "the run will take about 55 min; a smaller numerics.mesh_refinement takes less");
   input.numerics.preset = Preset::standard;
   EXPECT_THAT(announced_time(input, cost), testing::HasSubstr("numerics.preset = \"coarse\""));
+  cost.seconds = 90'000;
+  EXPECT_THAT(announced_time(input, cost), testing::HasSubstr("about 25 h;"));
   input.motion.waypoints.resize(3000);
   EXPECT_THAT(announced_time(input, cost), testing::HasSubstr("has 3000 rows"));
 }
