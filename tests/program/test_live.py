@@ -261,7 +261,7 @@ class LiveTest(ProgramTest):
         with warnings.catch_warnings(record=True) as caught:
             warnings.simplefilter("always")
             skin = ionskin.live.Skin(self.trained)
-        self.assertEqual(list(skin.event_errors), ["landing", "slip_onset", "hold", "lift"])
+        self.assertEqual(list(skin.event_errors), ["landing", "slip_onset", "hold", "lift", "load_step"])
         above = set()
         for event, errors in skin.event_errors.items():
             self.assertEqual(set(errors), set(skin.errors) - ({"slider_z"} if "slider_z" not in errors else set()))

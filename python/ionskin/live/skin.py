@@ -148,8 +148,8 @@ class Skin:
 
     @property
     def event_errors(self) -> dict[str, dict[str, SignalError]]:
-        """Stated errors within events of a touch: a dict of event ("landing", "slip_onset", "hold", "lift") to a dict of
-        signal name to SignalError, whose largest value is taken within such events."""
+        """Stated errors within events of a touch: a dict of event ("landing", "slip_onset", "hold", "lift", "load_step")
+        to a dict of signal name to SignalError, whose largest value is taken within such events."""
         return {event: errors for event, errors in self._errors().items() if event}
 
     def _errors(self) -> dict[str, dict[str, SignalError]]:

@@ -2,6 +2,7 @@
 #include "ionskin/live/live_contact.hpp"
 
 #include "ionskin/live/place_amplitudes.hpp"
+#include "ionskin/mechanics/path/path_steps.hpp"
 
 #include <boost/math/tools/toms748_solve.hpp>
 
@@ -16,6 +17,8 @@ namespace {
 
 /// Residual, as `LiveContact::step` returns it, at which the iterations stop [1].
 constexpr double tolerance = 1e-6;
+/// Residual at which the parts of a step before the last one stop [1].
+constexpr double part_tolerance = 1e-4;
 /// Largest numbers of sweeps, and of Newton steps for the normal and for the tangential forces. The
 /// larger numbers are for a step that begins without contact.
 constexpr int most_sweeps = 60, most_landing_sweeps = 2000;
@@ -36,6 +39,10 @@ constexpr int most_doublings = 30, most_searches = 60;
 /// Under a slider that rests after sliding, tractions stay at their limit as exactly as the steps
 /// are solved.
 constexpr double slipping = 1e-3;
+
+/// Change of the load, over the largest one, that is solved at once, as in the full model: what
+/// sticks under another load depends on the way there [1].
+constexpr double loaded_at_once = 1.0 / mechanics::PathSteps{}.lift_off;
 
 /// Number of values of a cell in the memory of a law with elastic slip: slip along x and y [m],
 /// limit traction [Pa].
@@ -369,7 +376,6 @@ double LiveContact::step(double time_step, const std::array<double, 2>& place,
                          const std::array<double, 2>& travel, const Stance& stance,
                          const Load& load, State state) noexcept {
   tilt(stance);
-  turn_ = stance.turn;
   const bool moved = !(std::hypot(place[0] - state.assembled_x, place[1] - state.assembled_y) <=
                        assembly_distance);
   if (moved) {
@@ -379,8 +385,12 @@ double LiveContact::step(double time_step, const std::array<double, 2>& place,
   }
   std::ranges::fill(slips_, char{0});
   stepped_ = true;
-  time_step_ = time_step = std::max(time_step, shortest_step);
-  travel_ = travel;
+  add_up(state);
+  const double before = load.is_force ? total_ : std::max(state.indentation, first_touch_);
+  const int parts = parts_of(load, before);
+  time_step_ = std::max(time_step / parts, shortest_step);
+  travel_ = {travel[0] / parts, travel[1] / parts};
+  turn_ = stance.turn / parts;
   if (load.value <= (load.is_force ? 0.0 : first_touch_)) {
     std::fill(state.force.begin(), state.force.end(), 0.0);
     std::fill(state.surface.begin(), state.surface.end(), 0.0);
@@ -388,6 +398,30 @@ double LiveContact::step(double time_step, const std::array<double, 2>& place,
     state.indentation = load.is_force ? first_touch_ : load.value;
     return 0;
   }
+  double residual = 0;
+  for (int part = 1; part <= parts; ++part) {
+    tolerance_ = part < parts ? part_tolerance : tolerance;
+    const double value = std::lerp(before, load.value, static_cast<double>(part) / parts);
+    const double left = advance({load.is_force, value}, state);
+    if (part == parts || left > part_tolerance) {
+      residual = std::max(residual, left);
+    }
+  }
+  return residual;
+}
+
+/// Number of parts into which a step is divided.
+/// @param before load at the beginning of the step
+int LiveContact::parts_of(const Load& load, double before) const noexcept {
+  const double largest =
+      load.is_force ? data_.meshed_share * data_.heaviest_force : data_.deepest_indentation;
+  const double parts = std::ceil(std::abs(before - load.value) / (loaded_at_once * largest));
+  return parts > 1 ? static_cast<int>(std::min(parts, 1 / loaded_at_once)) : 1;
+}
+
+/// Solves one part of a step, of which `time_step_`, `travel_` and `turn_` are those of the part.
+/// @returns residual, as `step` returns it [1]
+double LiveContact::advance(const Load& load, State& state) noexcept {
   std::ranges::copy(state.memory, memory_before_.begin());
   std::copy(state.surface.begin(), state.surface.end(), before_.begin());
   std::fill(state.surface.begin(), state.surface.end(), 0.0);
@@ -396,11 +430,11 @@ double LiveContact::step(double time_step, const std::array<double, 2>& place,
       add(cell, {state.force[at], state.force[at + 1], state.force[at + 2]}, state);
     }
   }
-  double residual = settle(time_step, travel, load, state);
+  double residual = settle(time_step_, travel_, load, state);
   if (load.is_force && residual > searched) {
-    residual = search(time_step, travel, load, state);
+    residual = search(time_step_, travel_, load, state);
   }
-  remember(time_step, travel, state);
+  remember(time_step_, travel_, state);
   return residual;
 }
 
@@ -434,16 +468,16 @@ double LiveContact::settle(double time_step, const std::array<double, 2>& travel
     const double scale = largest_ > 0 ? 1 / largest_ : changed.change > 0 ? 1 / changed.change : 0;
     const double left = load.is_force ? std::abs(load.value - total_) / load.value : 0;
     residual = std::max(changed.change * scale, left);
-    if (residual <= tolerance) {
+    if (residual <= tolerance_) {
       break;
     }
-    const bool rough = changed.normal_change * scale > tolerance || left > tolerance;
+    const bool rough = changed.normal_change * scale > tolerance_ || left > tolerance_;
     if (rough && factors > 0 && correct(load, state)) {
       --factors;
-    } else if (left > tolerance) {
+    } else if (left > tolerance_) {
       state.indentation += (load.value - total_) / data_.stiffness;
     }
-    if (frictions > 0 && changed.change * scale > tolerance &&
+    if (frictions > 0 && changed.change * scale > tolerance_ &&
         correct_friction(time_step, travel, state)) {
       --frictions;
     }
@@ -476,7 +510,7 @@ double LiveContact::search(double time_step, const std::array<double, 2>& travel
   double missed = high_excess;
   // In an invalid file, a cell with a negative compliance carries force at the first touch: there
   // is no bracket.
-  if (high_excess > tolerance && low < high) {
+  if (high_excess > tolerance_ && low < high) {
     std::uintmax_t most = most_searches;
     const auto close = [&](double, double) { return std::abs(missed) <= tolerance; };
     boost::math::tools::toms748_solve(

@@ -52,8 +52,8 @@ public:
   /// @param data the trained model; must outlive the contact
   explicit LiveContact(const SkinData& data);
 
-  /// Solves one increment of contact. The overload without a stance is for an upright slider that
-  /// does not rotate.
+  /// Solves one increment of contact, in parts where the load changes fast. The overload without
+  /// a stance is for an upright slider that does not rotate.
   /// @param time_step duration of the step [s]
   /// @param place position of the slider's centre at the end of the step [m]
   /// @param travel displacement of the slider's centre in the step [m]
@@ -106,6 +106,8 @@ private:
     double change = 0, normal_change = 0;
   };
   void tilt(const Stance& stance) noexcept;
+  int parts_of(const Load& load, double before) const noexcept;
+  double advance(const Load& load, State& state) noexcept;
   std::array<double, 2> slip(std::size_t cell, const std::array<double, 2>& travel,
                              const State& state) const noexcept;
   const float* column(std::size_t at) noexcept;
@@ -149,12 +151,13 @@ private:
   std::vector<char> slips_;
   NormalCorrection correction_;
   TangentialCorrection tangential_;
+  double tolerance_ = 0;           ///< residual at which the iterations of the part stop [1]
   double largest_ = 0, total_ = 0; ///< largest normal force of a cell, and sum over all cells [N]
   std::vector<std::size_t> touching_; ///< work array: indices of the cells in contact
   /// Work arrays of the normal Newton step: gaps that remain to be closed [m], then force changes
   /// by them [N]; and force changes by a unit of indentation [N/m] [cell in contact].
   std::vector<float> from_gaps_, from_indentation_;
-  // Last step, for the derivatives.
+  // Last step or its last part, for the derivatives.
   bool stepped_ = false;
   double time_step_ = 0;
   std::array<double, 2> travel_{};

@@ -32,6 +32,7 @@ SkinData charged_sphere(const std::string& law) {
   SkinData data = sphere_under(law);
   data.turns_into_itself = 1;
   data.fastest_turn = 1;
+  data.deepest_indentation = 2e-4; // a step to its depths is one part
   const std::size_t size = 3 * data.area.size();
   ChannelMap& channel = data.channels.front();
   channel.rows_per_point = per;

@@ -38,6 +38,7 @@ SkinData skin_with(const Law& law) {
   data.friction_parameters = law.parameters;
   data.friction_values = law.values;
   data.highest_place[1] = 2e-3;
+  data.deepest_indentation = 2e-5; // a step to its depths is one part, as in the engine
   return data;
 }
 

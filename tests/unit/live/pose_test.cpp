@@ -37,7 +37,7 @@ SkinData ball_data(const mechanics::TurningUnderside& underside) {
   data.gap = underside.gap({});
   data.lowest_place = {1e-3, 4e-4};
   data.highest_place = {5e-3, 1.6e-3};
-  data.deepest_indentation = 2e-5;
+  data.deepest_indentation = 2e-4; // a step to its depths is one part, as in the engine
   data.steepest = ball_tilt;
   data.fastest_turn = 100;
   data.turns_into_itself = 1;

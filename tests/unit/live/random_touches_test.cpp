@@ -96,6 +96,37 @@ TEST(RandomTouches, EachStrokesAndRestsAndSomeTurnBack) {
   EXPECT_GE(reversals, 10u);
 }
 
+TEST(RandomTouches, StepTheLoadInARestAndLandInAMillisecondAsInATenth) {
+  const Motion motion = random_touches(range, 60, 11);
+  const auto& rows = motion.waypoints;
+  std::size_t touches = 0, steps = 0;
+  double fastest_step = 1, slowest_step = 0, fastest_landing = 1, slowest_landing = 0;
+  for (std::size_t i = 2; i + 1 < rows.size(); ++i) {
+    const double duration = rows[i].time - rows[i - 1].time;
+    const auto rests = [&](std::size_t to) {
+      return presses(rows[to - 1]) && presses(rows[to]) &&
+             rows[to].position == rows[to - 1].position;
+    };
+    if (presses(rows[i]) && !presses(rows[i - 1])) {
+      ++touches;
+      fastest_landing = std::min(fastest_landing, duration);
+      slowest_landing = std::max(slowest_landing, duration);
+    }
+    if (rests(i - 1) && rests(i) && rests(i + 1) && *rows[i].height != *rows[i - 1].height) {
+      EXPECT_EQ(*rows[i + 1].height, *rows[i].height);
+      fastest_step = std::min(fastest_step, duration);
+      slowest_step = std::max(slowest_step, duration);
+      ++steps;
+    }
+  }
+  EXPECT_EQ(touches, 59u); // the first begins before row 2
+  EXPECT_EQ(steps, 59u);
+  EXPECT_LT(fastest_step, 2.5e-3);
+  EXPECT_NEAR(slowest_step, 10e-3, 2e-3);
+  EXPECT_LT(fastest_landing, 3.5e-3);
+  EXPECT_NEAR(slowest_landing, 0.1, 0.02);
+}
+
 TEST(StatedErrors, AreAQuarterMoreThanTheLargestOfAnyTouch) {
   const auto stated = stated_errors({{"charge_top", "hold", 5, {0.1, 0.3, 0.2}, {1, 2, 4}}});
   ASSERT_EQ(stated.size(), 1u);

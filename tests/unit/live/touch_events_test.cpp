@@ -81,6 +81,20 @@ TEST(TouchEvents, ChangesOfLoadAreNoHold) {
   EventPath path;
   path.piece(100, true, 0, 0, true, 1e-3);
   EXPECT_EQ(path.of(event::hold), std::vector<std::size_t>{});
+  EXPECT_EQ(path.of(event::load_step), std::vector<std::size_t>{});
+}
+
+TEST(TouchEvents, ALoadStepLastsALengthAndIsNeitherLandingNorLift) {
+  EventPath path;
+  path.piece(40, true, 0, 0, true, 0.05); // to a load of 3 within the landing
+  path.piece(60, true, 0, 0, true);
+  path.piece(4, true, 0, 0, true, -0.5);
+  path.piece(100, true, 0, 0, true);
+  path.piece(10, true, 0, 0, true, 0.2);
+  path.piece(30, true, 0, 0, true);
+  path.piece(100, false, 0, 0, false);
+  EXPECT_EQ(path.of(event::load_step), instants_from(101, 154));
+  EXPECT_EQ(path.of(event::lift), instants_from(195, 295)); // with the second change of load
 }
 
 TEST(Shortfall, NamesEventsAboveThePromiseAlone) {

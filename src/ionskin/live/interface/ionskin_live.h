@@ -141,8 +141,8 @@ int ionskin_live_error(const ionskin_live_skin* skin, size_t index, const char**
                        double* worst, double* largest);
 
 /* Writes a reported error as `ionskin_live_error` does, with the event of the touches in which it
-   is taken: "landing", "slip_onset", "hold" or "lift". Errors over whole touches come first, with
-   an empty event. Returns 1; or 0 if `index` is beyond the last. */
+   is taken: "landing", "slip_onset", "hold", "lift" or "load_step". Errors over whole touches come
+   first, with an empty event. Returns 1; or 0 if `index` is beyond the last. */
 int ionskin_live_event_error(const ionskin_live_skin* skin, size_t index, const char** event,
                              const char** name, double* rms, double* worst, double* largest);
 

@@ -18,16 +18,20 @@ constexpr double clearance = 1e-4; ///< height of the slider above the skin betw
 /// Number of rows after a corner of the path, a millisecond apart: about the duration of the
 /// longest onset of sliding.
 constexpr int rows_behind_corner = 50;
-constexpr double milliseconds = 1e3;    ///< milliseconds in a second
-constexpr double least_load = 0.15;     ///< smallest load of a touch over the heaviest one [1]
-constexpr double least_speed = 0.1;     ///< smallest speed of a stroke over the fastest one [1]
-constexpr double slowest_landing = 0.1; ///< longest duration of a landing or a lift-off [s]
-constexpr double pause = 0.2;           ///< duration between touches [s]
-constexpr double usual_speed = 3e-3;    ///< speed for a case whose slider never slides [m/s]
-constexpr double rest_share = 0.25;     ///< probability of a rest where a touch may have either [1]
+constexpr double milliseconds = 1e3; ///< milliseconds in a second
+constexpr double least_load = 0.15;  ///< smallest load of a touch over the heaviest one [1]
+constexpr double least_speed = 0.1;  ///< smallest speed of a stroke over the fastest one [1]
+/// Shortest and longest duration of a landing or a lift-off [s]: from a step of a loop on.
+constexpr double fastest_landing = 1e-3, slowest_landing = 0.1;
+constexpr double pause = 0.2;        ///< duration between touches [s]
+constexpr double usual_speed = 3e-3; ///< speed for a case whose slider never slides [m/s]
+constexpr double rest_share = 0.25;  ///< probability of a rest where a touch may have either [1]
 /// Probability that a stroke after another stroke goes back along it [1].
 constexpr double turning_back_share = 0.3;
 constexpr double shortest_rest = 0.1, longest_rest = 0.5; ///< durations of a rest [s]
+/// Shortest and longest duration of a load step, and of the rest behind it [s].
+constexpr double fastest_load_step = 1e-3, slowest_load_step = 0.01;
+constexpr double shortest_settling = 0.06, longest_settling = 0.2;
 /// Shortest way back along the stroke before, over its length [1].
 constexpr double shortest_reversal = 0.2;
 /// Probability that a stroke changes the tilt, and that it changes the yaw; and probability that a
@@ -36,6 +40,11 @@ constexpr double posing_share = 0.5, in_place_share = 0.3;
 constexpr double tilting = 0.1; ///< duration of a tilt to a side in the first touch [s]
 /// Numbers of pieces (strokes and rests) of a touch.
 constexpr int fewest_pieces = 2, most_pieces = 4;
+
+/// Draws a duration whose logarithm is uniformly distributed [s].
+double duration_between(Random& random, double shortest, double longest) {
+  return shortest * std::pow(longest / shortest, random.between(0, 1));
+}
 
 /// Motion of the slider, built one waypoint after the other.
 class Path {
@@ -159,7 +168,8 @@ Motion with_rows_behind_corners(const Motion& motion) {
 }
 
 Motion random_touches(const TouchRange& range, std::size_t count, std::uint64_t seed) {
-  Random random(seed);
+  // Load steps are drawn apart, so that the rest of the motion is that without them.
+  Random random(seed), of_load_steps(~seed);
   Path path(range);
   path.motion.kind = MotionKind::waypoints;
   const std::array<double, 2>& low = range.box.low;
@@ -209,7 +219,7 @@ Motion random_touches(const TouchRange& range, std::size_t count, std::uint64_t 
     }
     path.detached(pause, at);
     double load = range.heaviest * random.between(least_load, 1);
-    path.pressed(random.between(0.01, slowest_landing), at, load);
+    path.pressed(duration_between(random, fastest_landing, slowest_landing), at, load);
     const int pieces = static_cast<int>(random.between(fewest_pieces, most_pieces + 1));
     const int rest = static_cast<int>(random.between(0, pieces)),
               stroke = (rest + static_cast<int>(random.between(1, pieces))) % pieces;
@@ -217,6 +227,12 @@ Motion random_touches(const TouchRange& range, std::size_t count, std::uint64_t 
     for (int piece = 0; piece < pieces; ++piece) {
       if (piece == rest || (piece != stroke && random.between(0, 1) < rest_share)) {
         path.pressed(random.between(shortest_rest, longest_rest), at, load);
+        if (piece == rest) {
+          load = range.heaviest * of_load_steps.between(least_load, 1);
+          path.pressed(duration_between(of_load_steps, fastest_load_step, slowest_load_step), at,
+                       load);
+          path.pressed(of_load_steps.between(shortest_settling, longest_settling), at, load);
+        }
         from = at;
       } else {
         std::array<double, 2> to = place();
@@ -235,7 +251,7 @@ Motion random_touches(const TouchRange& range, std::size_t count, std::uint64_t 
         at = to;
       }
     }
-    path.detached(random.between(0.01, slowest_landing), at);
+    path.detached(duration_between(random, fastest_landing, slowest_landing), at);
   }
   path.detached(pause, path.motion.waypoints.back().position);
   return path.motion;

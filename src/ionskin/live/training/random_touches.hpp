@@ -30,11 +30,12 @@ TouchRange touch_range(const Case& input);
 
 /// Generates a motion of random touches, one after the other, as waypoints at whole milliseconds:
 /// landing anywhere in the range, strokes, reversals, rests and changes of load at any speed in it,
-/// lift-off. Each touch has at least one stroke and one rest, so that it contains every event of
-/// `touch_events.hpp` if the range has length. The first touch is the same for all seeds: it goes
-/// through the corners of the range under the heaviest load, and ends with the steepest tilts to
-/// all four sides where tilts are trained, so that no later touch outgrows the contact cells.
-/// Angles change during strokes.
+/// lift-off. Landings, lift-offs and load steps last from a millisecond on. Each touch has at least
+/// one stroke, and one rest with a load step in it, so that it contains every event of
+/// `touch_events.hpp` if the range has length and the load step is not small. The first touch is
+/// the same for all seeds: it goes through the corners of the range under the heaviest load, and
+/// ends with the steepest tilts to all four sides where tilts are trained, so that no later touch
+/// outgrows the contact cells. Angles change during strokes.
 Motion random_touches(const TouchRange& range, std::size_t count, std::uint64_t seed);
 
 /// Instants at which the slider begins to come down, one for each touch of such a motion [s].

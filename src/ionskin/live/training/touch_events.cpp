@@ -37,8 +37,8 @@ std::vector<std::uint8_t> events_of(std::span<const TouchInstant> instants) {
   for (const TouchInstant& instant : instants) {
     largest = std::max(largest, instant.touches ? std::abs(instant.load) : 0);
   }
-  std::size_t landed = 0, rested = 0, onset = 0; // instants since each began
-  bool lands = false, slips = false;             // true while the event may last
+  std::size_t landed = 0, rested = 0, onset = 0, loaded = 0; // instants since each began
+  bool lands = false, slips = false, steps = false;          // true while the event may last
   for (std::size_t i = 1; i < instants.size(); ++i) {
     const TouchInstant &before = instants[i - 1], &now = instants[i];
     if (before.touches && !now.touches) {
@@ -49,7 +49,7 @@ std::vector<std::uint8_t> events_of(std::span<const TouchInstant> instants) {
       }
     }
     if (!now.touches) {
-      lands = slips = false;
+      lands = slips = steps = false;
       rested = 0;
       continue;
     }
@@ -76,9 +76,22 @@ std::vector<std::uint8_t> events_of(std::span<const TouchInstant> instants) {
     }
     const bool rests = before.touches && !moving && now.angles == before.angles &&
                        std::abs(now.load - before.load) <= load_of_rounding * largest;
+    if (before.touches && std::abs(now.load - before.load) > least_load_step * largest) {
+      steps = true;
+      loaded = 0;
+    }
+    if (steps && loaded++ < event_length) {
+      add(i, event::load_step);
+    }
     rested = rests ? rested + 1 : 0;
     if (rested > event_length) {
       add(i, event::hold);
+    }
+  }
+  constexpr auto bit = [](std::size_t event) { return static_cast<std::uint8_t>(1u << event); };
+  for (std::uint8_t& of_instant : events) {
+    if ((of_instant & (bit(event::landing) | bit(event::lift))) != 0) {
+      of_instant = static_cast<std::uint8_t>(of_instant & ~bit(event::load_step));
     }
   }
   return events;

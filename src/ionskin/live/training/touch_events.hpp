@@ -23,11 +23,18 @@ inline constexpr std::size_t slip_onset = 1;
 inline constexpr std::size_t hold = 2;
 /// The last `event_length` of contact and the first `event_length` after it.
 inline constexpr std::size_t lift = 3;
-inline constexpr std::array<const char*, 4> names{"landing", "slip_onset", "hold", "lift"};
+/// Load step: begins when the load in contact changes within a millisecond by more than
+/// `least_load_step` of the largest load, and lasts until `event_length` after the last such
+/// change. Instants of landing and lift do not belong to it.
+inline constexpr std::size_t load_step = 4;
+inline constexpr std::array<const char*, 5> names{"landing", "slip_onset", "hold", "lift",
+                                                  "load_step"};
 } // namespace event
 
 /// Duration that the events are defined by, in instants, which are a millisecond apart.
 inline constexpr std::size_t event_length = 50;
+/// Smallest change of the load in a millisecond that is a load step, over the largest load [1].
+inline constexpr double least_load_step = 0.02;
 
 /// Path of the slider and contact of the full model at one instant.
 struct TouchInstant {
