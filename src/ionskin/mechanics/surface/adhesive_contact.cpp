@@ -87,15 +87,14 @@ SurfaceState relaxed_contact(const ContactProblem& problem, const SliderStep& st
   double indentation = step.load.value;
   int iterations = 0;
   for (int i = 0; i < most_relaxations; ++i) {
-    double change = 0;
+    double change = 0, scale = 0;
     for (std::size_t cell = 0; cell < opening.size(); ++cell) {
       const double pull = problem.area[cell] * problem.friction.adhesion.tension(opening[cell]);
       change = std::max(change, std::abs(pull - held.pull[cell]));
       held.pull[cell] = pull;
+      scale = std::max({scale, pull, std::abs(force[3 * cell])});
     }
-    const double scale =
-        *std::ranges::max_element(force, {}, [](double value) { return std::abs(value); });
-    const double relative = change / std::max(std::abs(scale), 1e-300);
+    const double relative = change / std::max(scale, 1e-300);
     if (i > 0 && (change == 0 || relative <= relaxed_change)) {
       return surface_state(problem, step, std::move(force), indentation, iterations);
     }

@@ -29,7 +29,7 @@ Standing::Standing(const ContactProblem& problem, const SliderStep& step, const 
     for (std::size_t c = 0; c < 2; ++c) {
       residual = base::nan_max(residual, std::abs(force[1 + c] - now.tangential.traction[c]));
     }
-    largest_force = std::max(largest_force, std::abs(force[0]));
+    largest_force = std::max({largest_force, std::abs(force[0]), trial.back().pull});
     if (now.status != CellStatus::separated) {
       active.push_back(cell);
     }

@@ -23,9 +23,11 @@ struct Standing {
   std::vector<laws::CellTrial> trial;
   std::vector<laws::CellResponse> response;
   std::vector<laws::CellStatus> status;
-  std::vector<int> active;  ///< active set: cells that touch or are pulled
-  double residual = 0;      ///< largest difference of a force from what its law allows [N]
-  double largest_force = 0; ///< largest normal force of a cell, as a magnitude [N]
+  std::vector<int> active; ///< active set: cells that touch or are pulled
+  double residual = 0;     ///< largest difference of a force from what its law allows [N]
+  /// Largest normal force or largest pull of a cell, as a magnitude [N]. At the height at which
+  /// slider and undeformed skin meet, pull and pressure of an adhesive contact cancel.
+  double largest_force = 0;
 
   Standing(const ContactProblem& problem, const SliderStep& step, const Iterate& iterate);
 };

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -67,6 +68,34 @@ TEST(AdhesiveContact, of_a_soft_cell_jumps_off_where_the_spring_pulls_harder) {
   EXPECT_EQ(cell.at_height(2.01e-6), 0);
   EXPECT_FALSE(cell.contact.in_contact());
   EXPECT_EQ(cell.at_height(1.99e-6), 0) << "out of its range nothing pulls it back";
+}
+
+/// Pull and pressure cancel there, so that the forces are no measure of the residual.
+TEST(AdhesiveContact, of_a_flat_slider_is_found_at_the_height_of_the_undeformed_skin) {
+  constexpr int across = 6, cells = across * across;
+  const double width = std::sqrt(area), softness = 0.02 * range / most * width;
+  const auto set_compliance = [&](const auto&, ContactProblem& problem) {
+    problem.compliance = Eigen::MatrixXd::Zero(3 * cells, 3 * cells);
+    for (int i = 0; i < cells; ++i) {
+      for (int j = 0; j < cells; ++j) {
+        const double way = std::hypot(i % across - j % across, i / across - j / across),
+                     value = softness / (width * std::max(way, 0.3));
+        problem.compliance.block<3, 3>(3 * i, 3 * j) = value * Eigen::Matrix3d::Identity();
+        problem.compliance(3 * i, 3 * j + 1) = 0.1 * value * (i % across - j % across);
+        problem.compliance(3 * j + 1, 3 * i) = problem.compliance(3 * i, 3 * j + 1);
+      }
+    }
+  };
+  SlidingContact contact(
+      set_compliance, std::vector<double>(cells, area), std::vector<double>(cells, 0.0),
+      laws::friction("adhesive", 0.3,
+                     {{"work_of_adhesion", adhesion_work}, {"cohesive_strength", strength}}));
+  for (const double height : {-1e-6, -3.3e-7, 0.0, 1e-8, 0.0}) {
+    SCOPED_TRACE(height);
+    const auto& state = contact.step(1, centre, {LoadKind::indentation, -height});
+    EXPECT_TRUE(contact.in_contact());
+    EXPECT_EQ(state.force[0] > 1e-9 * most, height < 0);
+  }
 }
 
 TEST(AdhesiveContact, carries_a_pull_that_is_given_or_lets_go) {
