@@ -36,28 +36,50 @@ constexpr std::size_t samples_at_node = 240;
 /// Share of the signals of a channel beside the charges: its mean and its first moment, so much of
 /// them.
 constexpr double signal_share = 1e-2;
-/// Distance from the footprint up to which strain is evaluated, over the thickness of the skin [1]:
-/// a contact strains as much beside itself, over some thicknesses, as underneath. Further away the
-/// points would move with the position of the slider more than the fits bear.
-constexpr double points_beside = 2;
+/// Largest displacement of an element relative to the slider, over all positions, at whose points
+/// strain is evaluated, over the thickness of the skin [1]. A contact strains the skin beside
+/// itself, too; points that move further than the strain changes are more than the fits bear.
+constexpr double most_displaced = 0.15;
 
-/// True if the middle of an element lies within the footprint or at most `margin` [m] beside it.
-/// @param line mesh lines along one direction [m]
-/// @param footprint first element of the footprint and the element behind its last one
-bool is_near(const std::vector<double>& line, std::size_t element,
-             const std::array<std::size_t, 2>& footprint, double margin) {
-  const double middle = (line[element] + line[element + 1]) / 2;
-  return middle >= line[footprint[0]] - margin && middle <= line[footprint[1]] + margin;
+/// Largest displacement of each element relative to the slider, over the trained positions, along
+/// one direction [m].
+/// @param d direction, 0: x, 1: y
+std::vector<double> displacements(const mesh::SkinMesh& mesh, const std::array<double, 2>& centre,
+                                  const PlaceNodes& places, std::size_t d) {
+  const auto middles = [&](const std::array<double, 2>& place) {
+    const mesh::MeshLines lines = mesh.lines(place);
+    const std::vector<double>& line = d == 0 ? lines.x : lines.y;
+    std::vector<double> result;
+    for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+      result.push_back((line[i] + line[i + 1]) / 2 - place[d]);
+    }
+    return result;
+  };
+  const std::vector<double> at_centre = middles(centre);
+  std::vector<double> largest(at_centre.size());
+  const std::vector<double>& nodes = d == 0 ? places.x : places.y;
+  for (const double end : {nodes.front(), nodes.back()}) {
+    std::array<double, 2> place = centre;
+    place[d] = end;
+    const std::vector<double> at_end = middles(place);
+    for (std::size_t i = 0; i < largest.size(); ++i) {
+      largest[i] = std::max(largest[i], std::abs(at_end[i] - at_centre[i]));
+    }
+  }
+  return largest;
 }
 
-/// Roots of the volumes of the Gauss points with the slider at a position [m^(3/2)]; 0 far from the
-/// footprint, where the mesh lines do not keep their distances from the slider.
-/// @param margin distance from the footprint up to which points count [m]
+/// Roots of the volumes of the Gauss points with the slider at a position [m^(3/2)]; 0 where the
+/// mesh lines do not keep their distances from the slider.
+/// @param most largest displacement of an element whose points count [m]
 std::vector<double> point_weights(const mesh::SkinMesh& mesh, const std::array<double, 2>& centre,
-                                  const std::array<std::size_t, 3>& points, double margin) {
+                                  const PlaceNodes& places,
+                                  const std::array<std::size_t, 3>& points, double most) {
   const mesh::MeshLines lines = mesh.lines(centre);
   const std::vector<double> z(lines.z.begin() + static_cast<std::ptrdiff_t>(mesh.core_z()[0]),
-                              lines.z.begin() + static_cast<std::ptrdiff_t>(mesh.core_z()[1]) + 1);
+                              lines.z.begin() + static_cast<std::ptrdiff_t>(mesh.core_z()[1]) + 1),
+      along_x = displacements(mesh, centre, places, 0),
+      along_y = displacements(mesh, centre, places, 1);
   const auto length = [](const std::vector<double>& line, std::size_t point) {
     return (line[point / 2 + 1] - line[point / 2]) / 2;
   };
@@ -65,8 +87,7 @@ std::vector<double> point_weights(const mesh::SkinMesh& mesh, const std::array<d
   for (std::size_t k = 0; k < points[2]; ++k) {
     for (std::size_t j = 0; j < points[1]; ++j) {
       for (std::size_t i = 0; i < points[0]; ++i) {
-        const bool counts = is_near(lines.x, i / 2, mesh.footprint_x(), margin) &&
-                            is_near(lines.y, j / 2, mesh.footprint_y(), margin);
+        const bool counts = along_x[i / 2] <= most && along_y[j / 2] <= most;
         weights.push_back(counts ? std::sqrt(length(lines.x, i) * length(lines.y, j) * length(z, k))
                                  : 0.0);
       }
@@ -295,8 +316,8 @@ std::vector<ChannelMap> reduce_channels(const Case& input, const SkinData& data,
                 [&](double fraction) { progress("strain of the contact", fraction); });
   ChannelMeasure measure;
   const double thickness = input.skin.thickness();
-  measure.point_weight =
-      point_weights(model->mesh, middle, of_channels.front().points, points_beside * thickness);
+  measure.point_weight = point_weights(model->mesh, middle, places, of_channels.front().points,
+                                       most_displaced * thickness);
   const std::array<double, 2> extent{data.length, data.width},
       zones = end_zones(data, places, thickness);
   measure.cell_area = areas_within(grid, middle, extent, zones);
