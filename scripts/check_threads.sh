@@ -1,9 +1,9 @@
 #!/bin/sh
 # SPDX-License-Identifier: Apache-2.0
 # What hands memory between threads, compiled and run under the thread sanitizer: scripts/check_threads.sh
-# threads|threads-long [JOBS]. The first takes task pool, worker team and interrupt; the second also the skin, the
-# strains recovered from it, and sweeps. Where the sanitizer cannot run at all, fails, unless the regular expression
-# IONSKIN_MAY_SKIP matches "thread sanitizer".
+# threads|threads-long [JOBS]. The first takes task pool, worker team and interrupt; the second also a sweep of the
+# program, whose threads share points, skin, recovered strains and ions. Where the sanitizer cannot run at all, fails,
+# unless the regular expression IONSKIN_MAY_SKIP matches "thread sanitizer".
 set -eu
 cd "$(dirname "$0")/.."
 
