@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <cstddef>
-#include <cstdint>
 #include <thread>
 #include <vector>
 
@@ -13,9 +13,9 @@ namespace ionskin::parallel {
 /// Threads that wait for work and share many short loops of a solver, some ten microseconds each.
 /// They are started once, whereas `parallel::run_tasks` starts threads in each call; and each block
 /// of a loop goes to the next free thread, whereas OpenMP waits for every thread at the end of a
-/// loop. On a busy machine, where threads wait for a processor, the calling thread is faster alone.
-/// The team therefore times some loops both ways now and then, and leaves loops to the calling
-/// thread for a while where sharing takes much longer.
+/// loop. On a busy machine, where threads wait for a processor, the calling thread is faster alone:
+/// the team compares both from the time of its own blocks, and leaves loops to the calling thread
+/// for a while where sharing does not pay.
 class WorkerTeam {
 public:
   /// Starts `threads` - 1 worker threads.
@@ -35,60 +35,57 @@ public:
   /// threads, and must not throw.
   template <class Body>
   void for_blocks(std::size_t count, std::size_t granularity, const Body& body) {
-    const Loop loop{&body,
-                    [](const void* object, std::size_t begin, std::size_t end, std::size_t worker) {
-                      (*static_cast<const Body*>(object))(begin, end, worker);
-                    },
-                    count, granularity, block_count(count, granularity)};
-    run(loop);
+    const std::size_t units = (count + granularity - 1) / granularity;
+    const auto run_block = [&](std::size_t block, std::size_t blocks, std::size_t worker) {
+      const std::size_t begin = block * units / blocks * granularity;
+      const std::size_t end = std::min(count, (block + 1) * units / blocks * granularity);
+      if (begin < end) {
+        body(begin, end, worker);
+      }
+    };
+    if (units < 2 || size() == 1 || goes_on_alone()) {
+      run_block(0, 1, 0);
+      return;
+    }
+    share({&run_block,
+           [](const void* object, std::size_t block, std::size_t blocks, std::size_t worker) {
+             (*static_cast<const decltype(run_block)*>(object))(block, blocks, worker);
+           }});
   }
 
 private:
   struct Loop {
-    const void* body;
-    void (*call)(const void* body, std::size_t begin, std::size_t end, std::size_t worker);
-    std::size_t count, granularity, blocks;
-
-    void run_block(std::size_t block, std::size_t worker) const;
+    const void* object;
+    void (*run_block)(const void* object, std::size_t block, std::size_t blocks,
+                      std::size_t worker);
   };
-
-  std::size_t block_count(std::size_t count, std::size_t granularity) const;
-  void run(const Loop& loop);
-  /// Runs blocks of the current loop until none is left.
-  void take_blocks(std::size_t worker);
-  void work(std::size_t worker);
-
   using Clock = std::chrono::steady_clock;
-  /// Mode in which loops are run for a number of loops: timed trials by the calling thread alone,
-  /// then by all threads together; then a rest in the faster mode.
-  enum class Phase { trial_alone, trial_together, rest };
 
-  /// Counts one loop and moves on to the next phase where the present one is over. @returns true if
-  /// the calling thread runs the loop alone
-  bool next_loop_is_alone();
-  /// Begins a phase with its full number of loops and starts its clock.
-  void begin_phase(Phase phase);
-  /// Changes the phase after a shared loop where needed: a long wait for other threads begins new
-  /// trials; a shared trial that takes too long ends, and the calling thread goes on alone.
-  /// @param worked time that the calling thread spent on its blocks
-  /// @param waited time that it then waited for other threads
-  void look_at_clock(Clock::duration worked, Clock::duration waited);
+  /// Runs a loop on all threads, and waits until it is done.
+  void share(const Loop& loop);
+  /// Runs blocks of the current loop until all are taken. @returns how many it ran
+  std::size_t take_blocks(std::size_t worker);
+  void work(std::size_t worker);
+  /// Counts a loop that would be shared. @returns true if the calling thread runs it alone
+  bool goes_on_alone();
+  /// Judges whether sharing pays, from the loops since the last judgement.
+  /// @param shared duration of one more shared loop
+  /// @param alone duration that the calling thread would take for it alone
+  void judge(Clock::duration shared, Clock::duration alone);
 
-  /// State of the current loop in one atomic word. Upper 32 bits: number of the loop. Lower 32
-  /// bits: blocks that the calling thread has taken from the start (low half) and that workers have
-  /// taken from the end (high half), so that the same data stay with the same thread; `closed`
-  /// between loops.
-  std::atomic<std::uint64_t> ticket_;
-  std::atomic<const Loop*> loop_{nullptr};
-  std::atomic<std::size_t> blocks_{0}, finished_{0};
+  const std::size_t blocks_; ///< number of blocks of every shared loop
+  const Loop* loop_ = nullptr;
+  /// Next block of the current loop; from `blocks_` on where all are taken, as between loops.
+  /// Setting it to 0 hands `loop_` to the workers. A thread that has taken a block may use `loop_`,
+  /// as the loop ends only after this block.
+  std::atomic<std::size_t> next_block_;
+  std::atomic<std::size_t> finished_{0}; ///< number of finished blocks of the current loop
   std::atomic<bool> stop_{false};
-  Phase phase_ = Phase::rest;
-  int loops_left_ = 0; ///< remaining loops of the present phase
-  /// Result of the last trials: true if the calling thread is faster without the workers.
-  bool faster_alone_ = false;
-  Clock::time_point phase_begin_;
-  /// Longest time of the shared trial, from the time of the trial alone.
-  Clock::duration time_allowed_{};
+
+  int judged_loops_ = 0;               ///< number of shared loops since the last judgement
+  Clock::duration shared_{}, alone_{}; ///< sums over these loops
+  int loops_alone_ = 0;                ///< number of loops left to the calling thread
+  int next_alone_ = 0;                 ///< number that it takes when sharing does not pay again
   std::vector<std::thread> workers_;
 };
 
