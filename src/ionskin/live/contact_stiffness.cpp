@@ -62,8 +62,7 @@ double LiveContact::leave_residual(std::span<const std::size_t> touching,
   std::array<double, motions> missed{}, largest{};
   for (const std::size_t cell : touching) {
     const std::size_t at = 3 * cell;
-    const laws::FrictionResponse response =
-        friction_at(cell, state.force[at], time_step_, travel_, state);
+    const laws::FrictionResponse response = friction_at(cell, state.force[at], state);
     const double own = std::max(own_[at + 1], own_[at + 2]);
     for (std::size_t motion = 0; motion < motions; ++motion) {
       const std::array<double, 3> way = moved(motion, middle_[cell]);
@@ -103,8 +102,7 @@ bool LiveContact::stiffness(const State& state, std::span<double, 36> matrix) no
   tangential_.clear();
   for (const std::size_t cell : touching) {
     const std::size_t at = 3 * cell;
-    const laws::FrictionResponse response =
-        friction_at(cell, state.force[at], time_step_, travel_, begun);
+    const laws::FrictionResponse response = friction_at(cell, state.force[at], begun);
     drag_[cell] = response.by_normal;
     tangential_.add(cell, std::max(own_[at + 1], own_[at + 2]), response.by_trial, {});
   }

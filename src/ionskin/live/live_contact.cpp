@@ -4,13 +4,9 @@
 #include "ionskin/live/place_amplitudes.hpp"
 #include "ionskin/mechanics/path/path_steps.hpp"
 
-#include <boost/math/tools/toms748_solve.hpp>
-
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <limits>
-#include <numeric>
 
 namespace ionskin::live {
 namespace {
@@ -19,22 +15,13 @@ namespace {
 constexpr double tolerance = 1e-6;
 /// Residual at which the parts of a step before the last one stop [1].
 constexpr double part_tolerance = 1e-4;
-/// Largest numbers of sweeps, and of Newton steps for the normal and for the tangential forces. The
-/// larger numbers are for a step that begins without contact.
-constexpr int most_sweeps = 60, most_landing_sweeps = 2000;
-constexpr int most_factors = 8, most_landing_factors = 60;
 /// Distance from the assembled position within which the compliance is reused, since it changes by
 /// less than 1e-5 of itself [m].
 constexpr double assembly_distance = 5e-6;
-/// Lower bound on the normal stiffness in a Newton step, over the stiffness under the heaviest
-/// load: a smaller contact is softer [1].
-constexpr double softest = 0.1;
 /// Lower bound on the duration of a step, since some friction laws take 0 for steady sliding [s].
 constexpr double shortest_step = 1e-9;
 /// Residual above which a step under a given force searches for the indentation [1].
 constexpr double searched = 1e-4;
-/// Largest numbers of doublings that bracket the indentation, and of iterations of the search.
-constexpr int most_doublings = 30, most_searches = 60;
 /// Relative distance of a traction from its limit below which the cell counts as slipping [1].
 /// Under a slider that rests after sliding, tractions stay at their limit as exactly as the steps
 /// are solved.
@@ -171,163 +158,27 @@ void LiveContact::tilt(const Stance& stance) noexcept {
 }
 
 /// Slip of the slider relative to the skin's surface at a cell in the step, docs/model.md (78) [m].
-std::array<double, 2> LiveContact::slip(std::size_t cell, const std::array<double, 2>& travel,
-                                        const State& state) const noexcept {
+std::array<double, 2> LiveContact::slip(std::size_t cell, const State& state) const noexcept {
   const std::size_t at = 3 * cell;
   const auto& [x, y] = middle_[cell];
-  return {travel[0] - turn_ * y - (state.surface[at + 1] - before_[at + 1]),
-          travel[1] + turn_ * x - (state.surface[at + 2] - before_[at + 2])};
+  return {travel_[0] - turn_ * y - (state.surface[at + 1] - before_[at + 1]),
+          travel_[1] + turn_ * x - (state.surface[at + 2] - before_[at + 2])};
 }
 
 /// Response of the friction law at a cell under a normal force [N], for the present surface
 /// displacements.
-laws::FrictionResponse LiveContact::friction_at(std::size_t cell, double normal, double time_step,
-                                                const std::array<double, 2>& travel,
+laws::FrictionResponse LiveContact::friction_at(std::size_t cell, double normal,
                                                 const State& state) const noexcept {
   const std::size_t at = 3 * cell;
   const double own = std::max(own_[at + 1], own_[at + 2]), area = data_.area[cell];
-  const auto [slip_x, slip_y] = slip(cell, travel, state);
+  const auto [slip_x, slip_y] = slip(cell, state);
   return laws::return_mapping(friction_, {normal / area,
                                           {(state.force[at + 1] + slip_x / own) / area,
                                            (state.force[at + 2] + slip_y / own) / area},
                                           own * area,
-                                          time_step,
+                                          time_step_,
                                           friction_.lag > 0 ? state.memory[cell] : 0.0,
                                           elastic_slip(cell, state)});
-}
-
-/// One projected Gauss-Seidel sweep over all cells: updates the force of each cell with the forces
-/// of the other cells fixed.
-LiveContact::Sweep LiveContact::sweep(double time_step, const std::array<double, 2>& travel,
-                                      State& state) noexcept {
-  Sweep result;
-  for (std::size_t cell = 0, at = 0; at < size_; ++cell, at += 3) {
-    const double normal = std::max(
-        0.0, state.force[at] + (state.indentation - gap_[cell] - state.surface[at]) / own_[at]);
-    const double* force = &state.force[at];
-    if (normal == 0 && force[0] == 0 && force[1] == 0 && force[2] == 0) {
-      continue; // was open and stays open
-    }
-    const double area = data_.area[cell];
-    const laws::FrictionResponse response = friction_at(cell, normal, time_step, travel, state);
-    drag_[cell] = response.by_normal;
-    const std::array<double, 3> next{normal, area * response.traction[0],
-                                     area * response.traction[1]};
-    std::array<double, 3> difference{};
-    for (std::size_t c = 0; c < 3; ++c) {
-      difference[c] = next[c] - state.force[at + c];
-      state.force[at + c] = next[c];
-      result.change = std::max(result.change, std::abs(difference[c]));
-    }
-    result.normal_change = std::max(result.normal_change, std::abs(difference[0]));
-    if (difference != std::array<double, 3>{}) {
-      add(cell, difference, state);
-    }
-  }
-  return result;
-}
-
-/// Indices of the cells whose normal force is positive, in `touching_`.
-std::span<const std::size_t> LiveContact::find_touching(const State& state) noexcept {
-  std::size_t count = 0;
-  for (std::size_t cell = 0; cell < data_.area.size(); ++cell) {
-    if (state.force[3 * cell] > 0) {
-      touching_[count++] = cell;
-    }
-  }
-  return std::span(touching_).first(count);
-}
-
-/// Sets up and factorises the normal compliance of the cells in contact; tangential forces follow
-/// the normal force of their cell (`drag_`).
-/// @returns false if the matrix could not be factorised
-bool LiveContact::take_normal(std::span<const std::size_t> touching) noexcept {
-  correction_.take(touching);
-  for (std::size_t j = 0; j < touching.size(); ++j) {
-    const std::size_t cell = touching[j];
-    const float *normal = column(3 * cell), *x = column(3 * cell + 1), *y = column(3 * cell + 2);
-    const auto drag_x = static_cast<float>(drag_[cell][0]),
-               drag_y = static_cast<float>(drag_[cell][1]);
-    const std::span<float> into = correction_.column(j);
-    for (std::size_t i = 0; i < touching.size(); ++i) {
-      const std::size_t row = 3 * touching[i];
-      into[i] = normal[row] + drag_x * x[row] + drag_y * y[row];
-    }
-  }
-  return correction_.factor();
-}
-
-/// Newton step for the normal forces of the cells in contact. Tangential forces of slipping cells
-/// follow the normal force; under a given force, the indentation changes too.
-/// @returns false, with the forces unchanged, if nothing touches or the matrix could not be
-/// factorised
-bool LiveContact::correct(const Load& load, State& state) noexcept {
-  const std::span<const std::size_t> touching = find_touching(state);
-  const std::size_t count = touching.size();
-  if (count == 0 || !(correction_.is_of(touching) || take_normal(touching))) {
-    return false;
-  }
-  const std::span from_gaps = std::span(from_gaps_).first(count),
-                  from_indentation = std::span(from_indentation_).first(count);
-  for (std::size_t j = 0; j < count; ++j) {
-    const std::size_t cell = touching[j];
-    from_gaps[j] = static_cast<float>(state.indentation - gap_[cell] - state.surface[3 * cell]);
-    from_indentation[j] = 1;
-  }
-  correction_.solve(from_gaps);
-  double deeper = 0;
-  if (load.is_force) {
-    correction_.solve(from_indentation);
-    const auto sum = [](std::span<const float> values) {
-      return std::accumulate(values.begin(), values.end(), 0.0);
-    };
-    const double left = load.value - total_ - sum(from_gaps);
-    deeper = left / std::max(sum(from_indentation), softest * data_.stiffness);
-    state.indentation += deeper;
-  }
-  for (std::size_t j = 0; j < count; ++j) {
-    const std::size_t cell = touching[j], at = 3 * cell;
-    const double own = static_cast<double>(from_gaps[j]) +
-                       deeper * static_cast<double>(from_indentation[j]),
-                 change = std::max(own, -state.force[at]);
-    const std::array<double, 3> force{change, change * drag_[cell][0], change * drag_[cell][1]};
-    for (std::size_t c = 0; c < 3; ++c) {
-      state.force[at + c] += force[c];
-    }
-    add(cell, force, state);
-  }
-  return true;
-}
-
-/// Newton step for the tangential forces, with the normal forces fixed.
-/// @returns false, with the forces unchanged, if no tangential force can follow its slip
-bool LiveContact::correct_friction(double time_step, const std::array<double, 2>& travel,
-                                   State& state) noexcept {
-  tangential_.clear();
-  for (std::size_t cell = 0, at = 0; at < size_; ++cell, at += 3) {
-    if (state.force[at] > 0) {
-      const laws::FrictionResponse response =
-          friction_at(cell, state.force[at], time_step, travel, state);
-      tangential_.add(cell, std::max(own_[at + 1], own_[at + 2]), response.by_trial,
-                      {data_.area[cell] * response.traction[0] - state.force[at + 1],
-                       data_.area[cell] * response.traction[1] - state.force[at + 2]});
-    }
-  }
-  tangential_.take([&](std::size_t at) { return column(at); });
-  tangential_.solve();
-  for (std::size_t i = 0; i < tangential_.count();) {
-    const std::size_t cell = tangential_.cell(i);
-    std::array<double, 3> force{};
-    for (; i < tangential_.count() && tangential_.cell(i) == cell; ++i) { // its directions
-      const std::array<double, 2> change = tangential_.change(i);
-      force[1] += change[0];
-      force[2] += change[1];
-    }
-    state.force[3 * cell + 1] += force[1];
-    state.force[3 * cell + 2] += force[2];
-    add(cell, force, state);
-  }
-  return tangential_.count() > 0;
 }
 
 /// Elastic slip of a cell as the memory holds it, which is that at the beginning of the step until
@@ -342,8 +193,7 @@ laws::ElasticSlip LiveContact::elastic_slip(std::size_t cell, const State& state
 
 /// Sets, at the end of a step, which cells slip, and the memory of the friction law; all zeros
 /// without friction.
-void LiveContact::remember(double time_step, const std::array<double, 2>& travel,
-                           State& state) noexcept {
+void LiveContact::remember(State& state) noexcept {
   if (friction_.coefficient == 0) {
     std::fill(state.memory.begin(), state.memory.end(), 0.0);
   }
@@ -354,19 +204,19 @@ void LiveContact::remember(double time_step, const std::array<double, 2>& travel
     slips_[cell] = touches && laws::limit_norm(friction_, {state.force[at + 1] / area,
                                                            state.force[at + 2] / area}) >=
                                   (1 - slipping) * limit;
-    const auto [slip_x, slip_y] = slip(cell, travel, state);
+    const auto [slip_x, slip_y] = slip(cell, state);
     if (friction_.elastic_slip > 0) {
       const laws::ElasticSlip elastic =
           laws::divided_slip(friction_, elastic_slip(cell, state),
-                             {state.force[at] / area, 0, time_step, lagged}, {slip_x, slip_y})
+                             {state.force[at] / area, 0, time_step_, lagged}, {slip_x, slip_y})
               .elastic;
       double* memory = &state.memory[of_elastic_slip * cell];
       memory[0] = elastic.slip[0];
       memory[1] = elastic.slip[1];
       memory[2] = elastic.limit;
     } else if (friction_.lag > 0) {
-      const double left = std::exp(-time_step / friction_.lag);
-      const double speed = std::hypot(slip_x, slip_y) / time_step;
+      const double left = std::exp(-time_step_ / friction_.lag);
+      const double speed = std::hypot(slip_x, slip_y) / time_step_;
       state.memory[cell] = touches ? left * lagged + (1 - left) * speed : 0;
     }
   }
@@ -413,6 +263,10 @@ double LiveContact::step(double time_step, const std::array<double, 2>& place,
 /// Number of parts into which a step is divided.
 /// @param before load at the beginning of the step
 int LiveContact::parts_of(const Load& load, double before) const noexcept {
+  const bool flat = std::ranges::all_of(gap_, [&](double gap) { return gap == first_touch_; });
+  if (total_ == 0 && flat && laws::is_proportional(friction_)) {
+    return 1; // the solution is proportional to the load
+  }
   const double largest =
       load.is_force ? data_.meshed_share * data_.heaviest_force : data_.deepest_indentation;
   const double parts = std::ceil(std::abs(before - load.value) / (loaded_at_once * largest));
@@ -430,94 +284,12 @@ double LiveContact::advance(const Load& load, State& state) noexcept {
       add(cell, {state.force[at], state.force[at + 1], state.force[at + 2]}, state);
     }
   }
-  double residual = settle(time_step_, travel_, load, state);
+  double residual = settle(load, state);
   if (load.is_force && residual > searched) {
-    residual = search(time_step_, travel_, load, state);
+    residual = search(load, state);
   }
-  remember(time_step_, travel_, state);
+  remember(state);
   return residual;
-}
-
-/// Sets `largest_` and `total_` from the normal forces.
-void LiveContact::add_up(const State& state) noexcept {
-  largest_ = total_ = 0;
-  for (std::size_t at = 0; at < size_; at += 3) {
-    largest_ = std::max(largest_, state.force[at]);
-    total_ += state.force[at];
-  }
-}
-
-/// Alternates sweeps and Newton steps until the residual is within the tolerance, or the sweeps are
-/// used up.
-/// @returns residual, as `step` returns it [1]
-double LiveContact::settle(double time_step, const std::array<double, 2>& travel, const Load& load,
-                           State& state) noexcept {
-  add_up(state);
-  const bool landing = largest_ == 0;
-  int factors = landing ? most_landing_factors : most_factors, frictions = factors;
-  if (!load.is_force) {
-    state.indentation = load.value;
-  }
-  correction_.forget();
-  double residual = 1;
-  for (int i = 0; i < (landing ? most_landing_sweeps : most_sweeps); ++i) {
-    const Sweep changed = sweep(time_step, travel, state);
-    add_up(state);
-    // While the slider is lifted, a sweep may unload all cells, before the surface rises and
-    // touches the slider again at some of them.
-    const double scale = largest_ > 0 ? 1 / largest_ : changed.change > 0 ? 1 / changed.change : 0;
-    const double left = load.is_force ? std::abs(load.value - total_) / load.value : 0;
-    residual = std::max(changed.change * scale, left);
-    if (residual <= tolerance_) {
-      break;
-    }
-    const bool rough = changed.normal_change * scale > tolerance_ || left > tolerance_;
-    if (rough && factors > 0 && correct(load, state)) {
-      --factors;
-    } else if (left > tolerance_) {
-      state.indentation += (load.value - total_) / data_.stiffness;
-    }
-    if (frictions > 0 && changed.change * scale > tolerance_ &&
-        correct_friction(time_step, travel, state)) {
-      --frictions;
-    }
-  }
-  return residual;
-}
-
-/// Searches for the indentation that carries a given force, where Newton steps from a distant start
-/// miss it. Brackets it between the first touch and an indentation that carries more, then finds
-/// the root.
-/// @returns residual, as `step` returns it [1]
-double LiveContact::search(double time_step, const std::array<double, 2>& travel, const Load& load,
-                           State& state) noexcept {
-  double residual = 1;
-  const auto excess = [&](double indentation) {
-    residual = settle(time_step, travel, {false, indentation}, state);
-    return total_ / load.value - 1;
-  };
-  double low = first_touch_, low_excess = -1, high = std::max(state.indentation, first_touch_),
-         high_excess = -1;
-  for (int i = 0; i < most_doublings && high_excess < 0; ++i) {
-    low = i == 0 ? low : high;
-    low_excess = i == 0 ? low_excess : high_excess;
-    high += i == 0 ? 0 : load.value / data_.stiffness * std::exp2(i - 1);
-    high_excess = excess(high);
-  }
-  if (high_excess < 0) {
-    return std::max(residual, -high_excess);
-  }
-  double missed = high_excess;
-  // In an invalid file, a cell with a negative compliance carries force at the first touch: there
-  // is no bracket.
-  if (high_excess > tolerance_ && low < high) {
-    std::uintmax_t most = most_searches;
-    const auto close = [&](double, double) { return std::abs(missed) <= tolerance; };
-    boost::math::tools::toms748_solve(
-        [&](double indentation) { return missed = excess(indentation); }, low, high, low_excess,
-        high_excess, close, most);
-  }
-  return std::max(residual, std::abs(missed));
 }
 
 } // namespace ionskin::live

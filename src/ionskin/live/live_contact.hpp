@@ -101,33 +101,31 @@ public:
   double friction() const { return friction_.coefficient; }
 
 private:
+  void tilt(const Stance& stance) noexcept;
+  int parts_of(const Load& load, double before) const noexcept;
+  double advance(const Load& load, State& state) noexcept;
+  const float* column(std::size_t at) noexcept;
+  void add(std::size_t cell, const std::array<double, 3>& force, State& state) noexcept;
+  std::array<double, 2> slip(std::size_t cell, const State& state) const noexcept;
+  laws::ElasticSlip elastic_slip(std::size_t cell, const State& state) const noexcept;
+  laws::FrictionResponse friction_at(std::size_t cell, double normal,
+                                     const State& state) const noexcept;
+  void remember(State& state) noexcept;
+
+  // Iteration of a part of a step, defined in contact_iteration.cpp.
   /// Largest change of a force component in a sweep: of any component, and of a normal one [N].
   struct Sweep {
     double change = 0, normal_change = 0;
   };
-  void tilt(const Stance& stance) noexcept;
-  int parts_of(const Load& load, double before) const noexcept;
-  double advance(const Load& load, State& state) noexcept;
-  std::array<double, 2> slip(std::size_t cell, const std::array<double, 2>& travel,
-                             const State& state) const noexcept;
-  const float* column(std::size_t at) noexcept;
-  void add(std::size_t cell, const std::array<double, 3>& force, State& state) noexcept;
-  Sweep sweep(double time_step, const std::array<double, 2>& travel, State& state) noexcept;
-  void remember(double time_step, const std::array<double, 2>& travel, State& state) noexcept;
-  laws::ElasticSlip elastic_slip(std::size_t cell, const State& state) const noexcept;
-  laws::FrictionResponse friction_at(std::size_t cell, double normal, double time_step,
-                                     const std::array<double, 2>& travel,
-                                     const State& state) const noexcept;
-  bool take_normal(std::span<const std::size_t> touching) noexcept;
+  Sweep sweep(State& state) noexcept;
   std::span<const std::size_t> find_touching(const State& state) noexcept;
-  void add_up(const State& state) noexcept;
+  bool take_normal(std::span<const std::size_t> touching) noexcept;
   bool correct(const Load& load, State& state) noexcept;
-  bool correct_friction(double time_step, const std::array<double, 2>& travel,
-                        State& state) noexcept;
-  double settle(double time_step, const std::array<double, 2>& travel, const Load& load,
-                State& state) noexcept;
-  double search(double time_step, const std::array<double, 2>& travel, const Load& load,
-                State& state) noexcept;
+  bool correct_friction(State& state) noexcept;
+  void add_up(const State& state) noexcept;
+  double settle(const Load& load, State& state) noexcept;
+  double search(const Load& load, State& state) noexcept;
+
   // Part of the derivatives, defined in contact_stiffness.cpp.
   double leave_residual(std::span<const std::size_t> touching, const State& state) noexcept;
 

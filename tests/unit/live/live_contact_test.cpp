@@ -75,5 +75,31 @@ TEST(LiveContact, ChangesTheLoadInPartsThatAreStepsOfTheirOwn) {
   }
 }
 
+TEST(LiveContact, LandsWithinAStepAsInTwentySteps) {
+  const SkinData sphere = sphere_on_many_cells(15);
+  SkinData flat = sphere;
+  flat.gap.assign(flat.area.size(), 0.0);
+  SkinData saturating = flat;
+  saturating.friction_law = "saturating";
+  saturating.friction_parameters = {"strength", "sharpness"};
+  saturating.friction_values = {1e6, 2};
+  for (const auto& [name, data] :
+       {std::pair{"sphere", sphere}, {"flat", flat}, {"saturating", saturating}}) {
+    SCOPED_TRACE(name);
+    const double deepest = data.deepest_indentation, travel = 0.3 * deepest;
+    Slider at_once(data), in_steps(data);
+    at_once.press(deepest, travel);
+    for (int step = 1; step <= 20; ++step) {
+      in_steps.press(deepest * step / 20, travel / 20);
+    }
+    const double limit = 1e-3 * at_once.sum(0);
+    ASSERT_GT(std::abs(at_once.sum(1)), 10 * limit);
+    for (std::size_t at = 0; at < at_once.force.size(); ++at) {
+      EXPECT_NEAR(at_once.force[at], in_steps.force[at], limit) << at;
+    }
+    EXPECT_NEAR(at_once.sum(1), in_steps.sum(1), limit);
+  }
+}
+
 } // namespace
 } // namespace ionskin::live

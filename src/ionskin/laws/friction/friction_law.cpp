@@ -74,6 +74,14 @@ template <class Law> FrictionLaw friction_row(std::string_view name) {
 
 } // namespace
 
+bool is_proportional(const Friction& friction) {
+  // Pressures at which a limit that saturates with pressure has left its proportional part.
+  constexpr double pressure = 1e8, twice = 2 * pressure;
+  return !friction.rate_dependent && friction.elastic_slip == 0 &&
+         2 * friction.limit({.normal_traction = pressure}) ==
+             friction.limit({.normal_traction = twice});
+}
+
 std::span<const FrictionLaw> friction_laws() {
   static const std::array laws{
       friction_row<CoulombFriction>("coulomb"),

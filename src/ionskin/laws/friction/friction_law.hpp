@@ -49,6 +49,10 @@ struct Friction {
   CohesiveZone adhesion;       ///< adhesion along the normal, also with a coefficient of 0
 };
 
+/// True if the limit is proportional to the pressure and depends on nothing else. The frictional
+/// contact of a flat slider is then proportional to its load.
+bool is_proportional(const Friction& friction);
+
 /// One row of the table of friction laws.
 struct FrictionLaw {
   std::string_view name;                    ///< value of the key `contact.law`

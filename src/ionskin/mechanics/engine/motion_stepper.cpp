@@ -92,10 +92,8 @@ void MotionStepper::follow(const MotionLeg& leg) {
 int MotionStepper::touchdown_steps() const {
   const ContactProblem& problem = contact_.problem();
   const bool flat = std::ranges::all_of(problem.gap, [](double gap) { return gap == 0; });
-  const bool proportional =
-      !problem.friction.rate_dependent && problem.friction.elastic_slip == 0 &&
-      2 * problem.friction_limit(0, 1, 0, 0) == problem.friction_limit(0, 2, 0, 0);
-  return flat && proportional && !contact_.in_contact() ? 1 : options_.steps.touchdown;
+  const bool proportional = flat && laws::is_proportional(problem.friction);
+  return proportional && !contact_.in_contact() ? 1 : options_.steps.touchdown;
 }
 
 /// Notes an event where the slider sets off, halts, or begins to change its load, since that starts
