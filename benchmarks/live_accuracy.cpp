@@ -73,9 +73,9 @@ int main(int argc, char** argv) {
     const auto footprint =
         full_run(input, random_touches(range, 1, seed), {}, options).contact.mesh.footprint();
     print(errors_on_touches(data, input, range, touches, seed, footprint, options,
-                            [&](std::size_t done) {
+                            [&](const ComparedTouches& compared) {
                               fmt::print(stderr, "{} of {} touches, {:.0f} s of processor time\n",
-                                         done, touches,
+                                         compared.count, touches,
                                          static_cast<double>(std::clock()) / CLOCKS_PER_SEC);
                             }),
           data);

@@ -597,6 +597,28 @@ class LiveTest(ProgramTest):
         self.assertIn("skin.live was not written", errors)
         self.assertEqual(list(self.folder.glob("*.live*")), [])
 
+    @long_test
+    def test_resumes_a_training_that_was_killed(self):
+        """The file is the same, bit for bit, as that of a training that ended at once."""
+        words = ["live", ROOT / "cases" / "paper" / "coarse.toml", *SMALL, "--trajectories", "2", "-o", "skin.live", "--validation"]
+        record, skin = self.folder / "skin.live.unfinished", self.folder / "skin.live"
+        self.run_program(*words, 7)
+        self.assertFalse(record.exists())
+        whole = skin.read_bytes()
+        skin.unlink()
+        self.end_at_file(3, *words, 7, below="")  # after the training and the first six touches
+        self.assertFalse(skin.exists())
+        kept = record.read_bytes()
+        for further, part in (((7,), "--resume"), ((8, "--resume"), "another case or other options")):
+            self.assertIn(part, self.run_program(*words, *further, expect=2).stderr)
+        record.write_bytes(kept[:-40])
+        self.assertIn("damaged", self.run_program(*words, 7, "--resume", expect=2).stderr)
+        record.write_bytes(kept)
+        said = self.run_program(*words, 7, "--resume", "--progress", "json").stderr
+        self.assertNotIn('"activity":"training', said)
+        self.assertEqual(skin.read_bytes(), whole)
+        self.assertFalse(record.exists())
+
     def test_mistakes_end_before_any_work(self):
         quick = ROOT / "cases" / "paper" / "coarse.toml"
         (self.folder / "taken.live").write_text("mine")

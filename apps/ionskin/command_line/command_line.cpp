@@ -152,13 +152,15 @@ void add_live(CLI::App& app, Command& command) {
           ->type_name("NUMBER");
   CLI::Option* seed =
       verb->add_option("--seed", options->seed, "Seed of the touches")->capture_default_str();
-  verb->add_flag("--overwrite", options->overwrite, "Replace existing files");
+  CLI::Option* replace =
+      verb->add_flag("--overwrite", options->overwrite, "Replace existing files");
+  verb->add_flag("--resume", options->resume, "Finish an interrupted training")->excludes(replace);
   add_set_option(*verb, options->set_edits);
   add_threads_option(*verb, options->threads);
   add_cache_option(*verb);
   add_log_options(*verb, options->log);
   verb->callback([=, &command] {
-    options->trains = !options->output.empty() || !options->set_edits.empty() ||
+    options->trains = !options->output.empty() || !options->set_edits.empty() || options->resume ||
                       trajectories->count() + validation->count() + seed->count() +
                               friction->count() + tilt->count() + spin->count() + slider->count() >
                           0;

@@ -197,7 +197,7 @@ struct LiveOptions {
   std::optional<int> slider; ///< slider of a list [[slider]] to train, counted from 1
   bool trains = false;       ///< true if an option is given that only training uses
   int threads = 0;
-  bool overwrite = false;
+  bool overwrite = false, resume = false;
   LogFormat log = LogFormat::automatic;
 };
 

@@ -6,16 +6,20 @@
 #include "ionskin/base/files/atomic_file.hpp"
 #include "ionskin/base/system/installation.hpp"
 #include "ionskin/base/system/interrupt.hpp"
+#include "ionskin/base/system/own_build.hpp"
 #include "ionskin/case/reading/read_case.hpp"
 #include "ionskin/live/errors/shortfall.hpp"
 #include "ionskin/live/fmu/archive.hpp"
 #include "ionskin/live/training/touch_events.hpp"
 #include "ionskin/live/training/train.hpp"
 #include "ionskin/planning/resources.hpp"
+#include "ionskin/results/manifest.hpp"
+#include "ionskin/study/run/run_folder.hpp"
 #include "terminal/progress_display.hpp"
 
 #include <fmt/core.h>
 
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <map>
@@ -99,15 +103,40 @@ void write_files(const LiveOptions& options, const ionskin::live::SkinData& data
   warn_of_shortfall(data);
 }
 
+/// File that keeps what is done of a training, beside the first of its outputs.
+std::filesystem::path record_of(const LiveOptions& options) {
+  return (options.output.empty() ? options.fmu : options.output) + ".unfinished";
+}
+
+/// Requires that no finished part of a training is lost. Throws UserError.
+void require_no_record(const std::filesystem::path& record) {
+  std::error_code failure;
+  if (std::filesystem::exists(std::filesystem::symlink_status(record, failure))) {
+    throw UserError(fmt::format("{}: an interrupted training is kept here\n"
+                                "  = add --resume to go on with it, or --overwrite to train anew",
+                                record.string()));
+  }
+}
+
+/// Digest of everything that decides the result of a training.
+std::string identity_of(const Case& input, const LiveOptions& options) {
+  const std::array<double, 2> friction = options.friction.value_or(std::array<double, 2>{});
+  return results::content_hash(
+      fmt::format("{} {} {} {} {} {} {} {} {} {}", study::input_hash(input),
+                  base::own_build() ? base::own_build()->hex() : "", options.trajectories,
+                  options.validation, options.seed, friction[0], friction[1], options.tilt,
+                  options.spin, options.slider.value_or(0)));
+}
+
 /// Writes an FMU of a skin that was trained before. Returns the exit code.
 int export_skin(const LiveOptions& options) {
   if (options.trains) {
-    throw UserError(
-        fmt::format("{} is a live skin, trained already: --output, --set, "
-                    "--trajectories, --friction, --tilt, --spin, --slider, --validation and "
-                    "--seed have no use\n  = give --fmu alone, or "
-                    "the case file to train anew",
-                    options.case_path));
+    throw UserError(fmt::format(
+        "{} is a live skin, trained already: --output, --set, "
+        "--trajectories, --friction, --tilt, --spin, --slider, --validation, --seed and "
+        "--resume have no use\n  = give --fmu alone, or "
+        "the case file to train anew",
+        options.case_path));
   }
   write_files(options, ionskin::live::read_skin(options.case_path));
   return static_cast<int>(ExitCode::success);
@@ -188,6 +217,10 @@ int live(const LiveOptions& options, const std::string& command) {
   settings.turn = options.spin * std::numbers::pi / 180;
   ionskin::live::check_trainable(input, settings);
   planning::require_resources(input, thread_count(options.threads));
+  const std::filesystem::path record = record_of(options);
+  if (!options.resume && !options.overwrite) {
+    require_no_record(record);
+  }
   ionskin::live::SkinData data;
   bool interrupted = false;
   {
@@ -198,15 +231,23 @@ int live(const LiveOptions& options, const std::string& command) {
     settings.threads = thread_count(options.threads);
     settings.progress = display.callback();
     settings.command = command;
+    settings.record = record;
+    settings.identity = identity_of(input, options);
+    settings.resume = options.resume;
     try {
       data = ionskin::live::train_skin(input, settings);
     } catch (const Interrupted&) {
       interrupted = true;
     }
   }
-  if (interrupted) { // unlike a run, it keeps nothing to go on from
-    fmt::print(stderr, "interrupted: {} was not written\n",
-               options.output.empty() ? options.fmu : options.output);
+  std::error_code failure;
+  if (interrupted) {
+    fmt::print(stderr, "interrupted: {} was not written{}\n",
+               options.output.empty() ? options.fmu : options.output,
+               std::filesystem::exists(record, failure)
+                   ? "; the trained skin and the touches that were compared are kept in " +
+                         record.string() + ": --resume continues"
+                   : "");
     return static_cast<int>(ExitCode::interrupted);
   }
   if (options.log != LogFormat::quiet) {
@@ -214,6 +255,7 @@ int live(const LiveOptions& options, const std::string& command) {
     print_errors(data, options.validation);
   }
   write_files(options, data);
+  std::filesystem::remove(record, failure);
   return static_cast<int>(ExitCode::success);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "ionskin/base/digest.hpp"
 #include "ionskin/base/error.hpp"
 
 #include <algorithm>
@@ -8,6 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <span>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -22,8 +24,29 @@ namespace ionskin::live {
   throw UserError(what + "\n  = make it again: ionskin live CASE.toml -o FILE");
 }
 
-/// Serialises a `SkinData` into the bytes of a `.live` file, as a sequence of entries: name and
-/// line end, size in bytes (8 bytes), bytes.
+/// Number of hexadecimal digits of the digest at the end of a file.
+inline constexpr std::size_t digest_digits = 32;
+
+/// Appends the digest of the content of a file.
+inline std::string sealed(std::string content) {
+  content += base::DigestBuilder().add_bytes(std::as_bytes(std::span(content))).finish().hex();
+  return content;
+}
+
+/// Content of a file, without the digest at its end. Throws UserError where the digest does not
+/// fit.
+/// @param path of the file, for messages
+inline std::string_view opened(std::string_view bytes, const std::string& path) {
+  const std::string_view content =
+      bytes.substr(0, bytes.size() - std::min(bytes.size(), digest_digits));
+  if (base::DigestBuilder().add_bytes(std::as_bytes(std::span(content))).finish().hex() !=
+      bytes.substr(content.size())) {
+    refuse(path + ": is damaged or cut short: its digest does not fit");
+  }
+  return content;
+}
+
+/// Serialises values into a sequence of entries: name and line end, size in bytes (8 bytes), bytes.
 class Writer {
 public:
   /// Starts with the file's first line.

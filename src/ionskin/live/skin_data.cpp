@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/live/skin_data.hpp"
 
-#include "ionskin/base/digest.hpp"
 #include "ionskin/base/error.hpp"
 #include "ionskin/base/files/atomic_file.hpp"
 #include "ionskin/live/live_contact.hpp"
@@ -225,9 +224,7 @@ void check(const Reader& reader, const SkinData& data) {
 std::string skin_bytes(const SkinData& data) {
   Writer writer(magic);
   visit(writer, data);
-  writer.bytes +=
-      base::DigestBuilder().add_bytes(std::as_bytes(std::span(writer.bytes))).finish().hex();
-  return std::move(writer.bytes);
+  return sealed(std::move(writer.bytes));
 }
 
 void write_skin(const std::filesystem::path& path, const SkinData& data) {
@@ -249,6 +246,21 @@ bool is_skin_file(const std::filesystem::path& path) {
          std::string_view(bytes.data(), start.size()) == start;
 }
 
+SkinData skin_of_bytes(std::string_view bytes, const std::string& path) {
+  if (!bytes.starts_with(magic.substr(0, magic.find(','))) ||
+      bytes.size() < magic.size() + digest_digits) {
+    refuse(path + ": is not a file of a live skin");
+  }
+  if (!bytes.starts_with(magic)) {
+    refuse(path + ": another version of ionskin wrote it, in another format");
+  }
+  Reader reader(opened(bytes, path).substr(magic.size()), path);
+  SkinData data;
+  visit(reader, data);
+  check(reader, data);
+  return data;
+}
+
 SkinData read_skin(const std::filesystem::path& path) {
   std::error_code failure;
   const auto size = std::filesystem::file_size(path, failure);
@@ -261,23 +273,7 @@ SkinData read_skin(const std::filesystem::path& path) {
   if (!file.read(bytes.data(), static_cast<std::streamsize>(bytes.size()))) {
     refuse(path.string() + ": cannot be read");
   }
-  if (!bytes.starts_with(magic.substr(0, magic.find(','))) ||
-      bytes.size() < magic.size() + digest_digits) {
-    refuse(path.string() + ": is not a file of a live skin");
-  }
-  if (!bytes.starts_with(magic)) {
-    refuse(path.string() + ": another version of ionskin wrote it, in another format");
-  }
-  const std::string_view content(bytes.data(), bytes.size() - digest_digits);
-  if (base::DigestBuilder().add_bytes(std::as_bytes(std::span(content))).finish().hex() !=
-      bytes.substr(content.size())) {
-    refuse(path.string() + ": is damaged or cut short: its digest does not fit");
-  }
-  Reader reader(content.substr(magic.size()), path.string());
-  SkinData data;
-  visit(reader, data);
-  check(reader, data);
-  return data;
+  return skin_of_bytes(bytes, path.string());
 }
 
 } // namespace ionskin::live

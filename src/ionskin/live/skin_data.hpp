@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace ionskin::live {
@@ -144,14 +145,16 @@ struct SkinData {
   std::vector<SignalError> errors; ///< errors over whole touches first
 };
 
-/// Number of hexadecimal digits of the digest at the end of a `.live` file.
-inline constexpr std::size_t digest_digits = 32;
-
 /// Serialises a model into the content of a `.live` file, digest included.
 std::string skin_bytes(const SkinData& data);
 
 /// Writes a `.live` file, under a temporary name, then renames it. Throws base::UnwritableFile.
 void write_skin(const std::filesystem::path& path, const SkinData& data);
+
+/// Reads and checks the content of a `.live` file. Throws UserError when it is not that of a
+/// `.live` file, is damaged, or holds arrays whose sizes do not fit each other.
+/// @param path of the file, for messages
+SkinData skin_of_bytes(std::string_view bytes, const std::string& path);
 
 /// Reads and checks a `.live` file. Throws UserError when the file cannot be read, is not a `.live`
 /// file, is damaged, or holds arrays whose sizes do not fit each other.

@@ -3,6 +3,7 @@
 
 #include "ionskin/base/text.hpp"
 #include "ionskin/live/fmu/variables.hpp"
+#include "ionskin/live/skin_archive.hpp"
 
 #include <fmt/format.h>
 

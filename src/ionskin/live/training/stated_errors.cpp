@@ -60,29 +60,31 @@ std::vector<TouchErrors> errors_on_touches(const SkinData& data, const Case& inp
                                            const TouchRange& range, std::size_t count,
                                            std::uint64_t seed, const mesh::Footprint& footprint,
                                            const TrainingOptions& options,
-                                           const std::function<void(std::size_t)>& done) {
-  std::vector<TouchErrors> errors;
-  for (std::size_t begun = 0; begun < count; begun += touches_together) {
-    const std::size_t together = std::min(touches_together, count - begun);
+                                           const std::function<void(const ComparedTouches&)>& done,
+                                           ComparedTouches compared) {
+  while (compared.count < count) {
+    const std::size_t together = std::min(touches_together, count - compared.count);
     TrainingOptions own = options;
-    const double first = static_cast<double>(begun) / static_cast<double>(count);
+    const double first = static_cast<double>(compared.count) / static_cast<double>(count);
     own.progress = part_of_touches(options.progress, first,
                                    static_cast<double>(together) / static_cast<double>(count));
     options.progress("touches", first);
+    const std::uint64_t own_seed = seed + compared.count / touches_together;
     Case own_input = input;
     if (data.lowest_friction < data.highest_friction) {
-      own_input.contact.friction = friction_of_run(data, seed);
+      own_input.contact.friction = friction_of_run(data, own_seed);
     }
     const FullRun run =
-        full_run(own_input, with_rows_behind_corners(random_touches(range, 1 + together, seed++)),
+        full_run(own_input, with_rows_behind_corners(random_touches(range, 1 + together, own_seed)),
                  footprint, own);
-    join(validate(data, run), errors);
+    join(validate(data, run), compared.errors);
+    compared.count += together;
     if (done) {
-      done(begun + together);
+      done(compared);
     }
   }
   options.progress("touches", 1);
-  return errors;
+  return std::move(compared.errors);
 }
 
 std::vector<SignalError> stated_errors(const std::vector<TouchErrors>& errors) {

@@ -19,6 +19,7 @@
 #include "ionskin/live/training/full_run.hpp"
 #include "ionskin/live/training/random_touches.hpp"
 #include "ionskin/live/training/stated_errors.hpp"
+#include "ionskin/live/training/training_record.hpp"
 #include "ionskin/mechanics/skin/skin_model.hpp"
 #include "ionskin/results/build_info.hpp"
 
@@ -26,12 +27,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <iterator>
 #include <memory>
 #include <numbers>
 #include <optional>
 #include <string_view>
 #include <tuple>
+#include <utility>
 
 namespace ionskin::live {
 namespace {
@@ -223,6 +226,52 @@ void check_poses(const Case& input, const TrainingOptions& options) {
   }
 }
 
+/// Trains the model, whose errors are not measured yet.
+TrainingRecord train_model(const Case& input, const TouchRange& range,
+                           const TrainingOptions& options) {
+  SkinData data;
+  data.case_text = input.text;
+  data.version = results::build_info::version;
+  data.command = options.command;
+  data.seed = options.seed;
+  data.trajectories = options.trajectories;
+  data.friction_law = input.contact.law;
+  data.friction = data.lowest_friction = data.highest_friction = input.contact.friction;
+  if (options.friction) {
+    std::tie(data.lowest_friction, data.highest_friction) =
+        std::pair((*options.friction)[0], (*options.friction)[1]);
+  }
+  for (const auto& [name, value] : input.contact.parameters) {
+    data.friction_parameters.push_back(name);
+    data.friction_values.push_back(value);
+  }
+  data.direction = slide_direction(motion_legs(input.motion, input.slider));
+  data.length = input.skin.length;
+  data.width = input.skin.width;
+  data.thickness = input.skin.core_thickness();
+  data.lowest_place = range.box.low;
+  data.highest_place = range.box.high;
+  data.fastest = range.fastest;
+  set_pose(input, options, data);
+
+  const std::vector<FullRun> runs = training_runs(input, range, data, options);
+  const FullRun& run = runs.front();
+  const auto model = std::make_shared<const mechanics::SkinModel>(
+      run.input, run.contact.mesh.footprint(), range.box);
+  const PlaceNodes places = place_nodes(run.input.skin, range.box);
+  std::vector<std::string> channels{history::channel_name::shear};
+  if (moves_water(input)) {
+    channels.emplace_back(
+        electrochemistry::driving_channel(run.input.coupling.law, run.history).name);
+  }
+  set_contact(runs, *model, places, data);
+  set_charges(runs, data);
+  data.channels = reduce_channels(run.input, data, model, places,
+                                  contact_samples(data, range, sampled_states, options.seed),
+                                  options.threads, channels, options.progress);
+  return {std::move(data), run.contact.mesh.footprint(), {}};
+}
+
 } // namespace
 
 void check_trainable(const Case& input, const TrainingOptions& options) {
@@ -297,57 +346,28 @@ SkinData train_skin(const Case& input, const TrainingOptions& options) {
   TouchRange range = touch_range(input);
   range.steepest = options.tilt;
   range.fastest_turn = options.turn;
-  SkinData data;
-  data.case_text = input.text;
-  data.version = results::build_info::version;
-  data.command = options.command;
-  data.seed = options.seed;
-  data.trajectories = options.trajectories;
-  data.friction_law = input.contact.law;
-  data.friction = data.lowest_friction = data.highest_friction = input.contact.friction;
-  if (options.friction) {
-    std::tie(data.lowest_friction, data.highest_friction) =
-        std::pair((*options.friction)[0], (*options.friction)[1]);
+  TrainingRecord record;
+  if (options.resume && std::filesystem::exists(options.record)) {
+    record = read_record(options.record, options.identity);
+  } else {
+    TrainingOptions own = options;
+    own.progress = part_of(options.progress, "training");
+    record = train_model(input, range, own);
   }
-  for (const auto& [name, value] : input.contact.parameters) {
-    data.friction_parameters.push_back(name);
-    data.friction_values.push_back(value);
-  }
-  data.direction = slide_direction(motion_legs(input.motion, input.slider));
-  data.length = input.skin.length;
-  data.width = input.skin.width;
-  data.thickness = input.skin.core_thickness();
-  data.lowest_place = range.box.low;
-  data.highest_place = range.box.high;
-  data.fastest = range.fastest;
-  set_pose(input, options, data);
-
-  TrainingOptions own = options;
-  own.progress = part_of(options.progress, "training");
-  const std::vector<FullRun> runs = training_runs(input, range, data, own);
-  const FullRun& run = runs.front();
-  {
-    const auto model = std::make_shared<const mechanics::SkinModel>(
-        run.input, run.contact.mesh.footprint(), range.box);
-    const PlaceNodes places = place_nodes(run.input.skin, range.box);
-    std::vector<std::string> channels{history::channel_name::shear};
-    if (moves_water(input)) {
-      channels.emplace_back(
-          electrochemistry::driving_channel(run.input.coupling.law, run.history).name);
+  const auto keep = [&](const ComparedTouches& compared) {
+    if (!options.record.empty()) {
+      record.compared = compared;
+      write_record(options.record, options.identity, record);
     }
-    set_contact(runs, *model, places, data);
-    set_charges(runs, data);
-    data.channels = reduce_channels(run.input, data, model, places,
-                                    contact_samples(data, range, sampled_states, options.seed),
-                                    options.threads, channels, own.progress);
-  }
-
+  };
+  TrainingOptions own = options;
   own.progress = part_of(options.progress, "validation");
-  data.errors = stated_errors(errors_on_touches(data, input, range, options.validation,
-                                                options.seed + validation_seed_shift,
-                                                run.contact.mesh.footprint(), own));
-  leave_out_no_moments(data);
-  return data;
+  keep(record.compared);
+  record.data.errors = stated_errors(errors_on_touches(
+      record.data, input, range, options.validation, options.seed + validation_seed_shift,
+      record.footprint, own, keep, record.compared));
+  leave_out_no_moments(record.data);
+  return std::move(record.data);
 }
 
 } // namespace ionskin::live

@@ -8,6 +8,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <string>
 
@@ -29,7 +30,12 @@ struct TrainingOptions {
   double turn = 0; ///< fastest rotation about z to train [rad/s]
   int threads = 1;
   base::ProgressCallback progress = base::no_progress;
-  std::string command; ///< command line, for the record
+  std::string command; ///< command line, for the file
+  /// File that keeps what is done while the validation runs, and is removed by nobody but the
+  /// caller; empty to keep nothing.
+  std::filesystem::path record;
+  std::string identity; ///< of everything that decides the result, for this file
+  bool resume = false;  ///< goes on from `record`, if this file exists
 };
 
 /// Checks that the reduced-order model can represent a case. Throws UserError where it cannot: the
@@ -40,7 +46,7 @@ void check_trainable(const Case& input, const TrainingOptions& options);
 
 /// Trains the reduced-order model of a case with runs of the full model along random touches within
 /// the range of the case's motion, and measures its errors on other touches. Throws UserError,
-/// SolverError, Interrupted.
+/// SolverError, Interrupted, base::UnwritableFile.
 SkinData train_skin(const Case& input, const TrainingOptions& options);
 
 } // namespace ionskin::live
