@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 
 // Time of a step of a reduced skin, by the clock and in processor time, over 100,000 steps of
-// random strokes within its range; how many touches of 1 s all threads step in a minute; and the
-// errors that its file states: build/benchmarks/live skin.live
+// random strokes within its range; of a landing under a force within one step; how many touches of
+// 1 s all threads step in a minute; and the errors that its file states:
+// build/benchmarks/live skin.live
 
 #include "ionskin/base/error.hpp"
 #include "ionskin/live/skin.hpp"
@@ -112,6 +113,30 @@ void time_steps(const SkinData& data, std::size_t steps, double rate) {
   print_times("processor time", by_processor);
 }
 
+/// Median processor time of a landing within one step, under shares of the heaviest force, at
+/// places along the diagonal of the range.
+void time_landings(const SkinData& data) {
+  constexpr std::size_t places = 21;
+  fmt::print("landing within one step, processor time:");
+  for (const double share : {0.05, 0.2, 0.5, 1.0}) {
+    std::vector<double> milliseconds;
+    for (std::size_t place = 0; place < places; ++place) {
+      const double along = static_cast<double>(place) / (places - 1);
+      const std::array<double, 2> at{std::lerp(data.lowest_place[0], data.highest_place[0], along),
+                                     std::lerp(data.lowest_place[1], data.highest_place[1], along)};
+      Skin skin(data);
+      std::vector<double> signals(skin.names().size());
+      skin.step(0, at, true, 0, signals);
+      const double before = processor_milliseconds();
+      skin.step(1e-3, at, true, share * data.heaviest_force, signals);
+      milliseconds.push_back(processor_milliseconds() - before);
+    }
+    std::ranges::nth_element(milliseconds, milliseconds.begin() + places / 2);
+    fmt::print(" {:.2f} ms under {:.0f} % of the heaviest force{}", milliseconds[places / 2],
+               100 * share, share < 1 ? "," : "\n");
+  }
+}
+
 /// Touches of 1 s, each by a skin of its own that starts at rest.
 void time_batch(const SkinData& data, std::size_t threads, std::size_t touches) {
   const Skin rested(data);
@@ -165,6 +190,7 @@ int main(int argc, char** argv) {
   try {
     const SkinData data = read_skin(path);
     time_steps(data, steps, rate);
+    time_landings(data);
     time_batch(data, threads, touches);
     for (const SignalError& error : data.errors) {
       if (error.largest > 0) {
