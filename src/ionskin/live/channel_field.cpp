@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/live/channel_field.hpp"
 
+#include "ionskin/live/data/place_amplitudes.hpp"
 #include "ionskin/live/edge_interpolation.hpp"
-#include "ionskin/live/place_amplitudes.hpp"
 #include "ionskin/live/products/low_rank.hpp"
 
 #include <algorithm>

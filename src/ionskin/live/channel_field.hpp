@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "ionskin/live/data/skin_data.hpp"
 #include "ionskin/live/edge_interpolation.hpp"
 #include "ionskin/live/products/lane_product.hpp"
-#include "ionskin/live/skin_data.hpp"
 
 #include <array>
 #include <cstdint>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "ionskin/live/data/skin_data.hpp"
 #include "ionskin/live/edge_interpolation.hpp"
-#include "ionskin/live/skin_data.hpp"
 
 #include <array>
 #include <cstddef>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/live/skin.hpp"
 
-#include "ionskin/live/slope_table.hpp"
+#include "ionskin/live/data/slope_table.hpp"
 #include "ionskin/mechanics/surface/covered_area.hpp"
 
 #include <algorithm>

@@ -3,9 +3,9 @@
 
 #include "ionskin/live/channel_field.hpp"
 #include "ionskin/live/charge_spread.hpp"
-#include "ionskin/live/live_contact.hpp"
+#include "ionskin/live/contact/live_contact.hpp"
+#include "ionskin/live/data/skin_data.hpp"
 #include "ionskin/live/low_pass.hpp"
-#include "ionskin/live/skin_data.hpp"
 
 #include <array>
 #include <cstddef>

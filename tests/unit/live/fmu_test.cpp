@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "allocation_counter.hpp"
 #include "ionskin/base/error.hpp"
+#include "ionskin/live/data/slope_table.hpp"
 #include "ionskin/live/fmu/archive.hpp"
 #include "ionskin/live/fmu/fmi2.h"
 #include "ionskin/live/fmu/model_description.hpp"
 #include "ionskin/live/fmu/variables.hpp"
 #include "ionskin/live/skin.hpp"
-#include "ionskin/live/slope_table.hpp"
 #include "small_skin.hpp"
 
 #include <gtest/gtest.h>

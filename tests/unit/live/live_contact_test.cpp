@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ionskin/live/live_contact.hpp"
+#include "ionskin/live/contact/live_contact.hpp"
 
 #include "small_skin.hpp"
 

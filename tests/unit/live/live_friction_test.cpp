@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "allocation_counter.hpp"
+#include "ionskin/live/contact/live_contact.hpp"
 #include "ionskin/live/interface/ionskin_live.hpp"
-#include "ionskin/live/live_contact.hpp"
 #include "ionskin/live/skin.hpp"
 #include "ionskin/mechanics/engine/sliding_contact.hpp"
 #include "small_skin.hpp"

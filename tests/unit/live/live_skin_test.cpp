@@ -2,9 +2,9 @@
 #include "allocation_counter.hpp"
 #include "ionskin/base/digest.hpp"
 #include "ionskin/base/error.hpp"
+#include "ionskin/live/data/skin_archive.hpp"
 #include "ionskin/live/interface/ionskin_live.h"
 #include "ionskin/live/skin.hpp"
-#include "ionskin/live/skin_archive.hpp"
 #include "small_skin.hpp"
 
 #include <gtest/gtest.h>

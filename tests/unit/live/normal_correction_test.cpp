@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ionskin/live/corrections/normal_correction.hpp"
+#include "ionskin/live/contact/normal_correction.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "allocation_counter.hpp"
 #include "ionskin/live/batch/skins.hpp"
+#include "ionskin/live/data/slope_table.hpp"
 #include "ionskin/live/skin.hpp"
-#include "ionskin/live/slope_table.hpp"
 #include "ionskin/mechanics/engine/sliding_contact.hpp"
 #include "ionskin/mechanics/slider/turning_underside.hpp"
 #include "small_skin.hpp"

@@ -2,8 +2,8 @@
 #include "ionskin/live/fmu/model_description.hpp"
 
 #include "ionskin/base/text.hpp"
+#include "ionskin/live/data/skin_archive.hpp"
 #include "ionskin/live/fmu/variables.hpp"
-#include "ionskin/live/skin_archive.hpp"
 
 #include <fmt/format.h>
 

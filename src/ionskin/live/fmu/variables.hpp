@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "ionskin/live/skin_data.hpp"
+#include "ionskin/live/data/skin_data.hpp"
 
 #include <cstddef>
 #include <string>

@@ -3,8 +3,8 @@
 
 #include "ionskin/base/progress.hpp"
 #include "ionskin/case/case.hpp"
+#include "ionskin/live/data/skin_data.hpp"
 #include "ionskin/live/reduction/place_nodes.hpp"
-#include "ionskin/live/skin_data.hpp"
 #include "ionskin/mechanics/skin/skin_model.hpp"
 
 #include <memory>

@@ -2,10 +2,10 @@
 #pragma once
 
 #include "ionskin/history/core_history.hpp"
+#include "ionskin/live/data/skin_data.hpp"
 #include "ionskin/live/reduction/channel_basis.hpp"
 #include "ionskin/live/reduction/place_nodes.hpp"
 #include "ionskin/live/reduction/reflections.hpp"
-#include "ionskin/live/skin_data.hpp"
 
 #include <Eigen/Core>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "ionskin/live/data/skin_data.hpp"
 #include "ionskin/live/reduction/place_nodes.hpp"
-#include "ionskin/live/skin_data.hpp"
 #include "ionskin/mechanics/skin/skin_model.hpp"
 
 #include <vector>

@@ -2,9 +2,9 @@
 #pragma once
 
 #include "ionskin/case/slider_motion.hpp"
+#include "ionskin/live/data/skin_data.hpp"
 #include "ionskin/live/reduction/place_nodes.hpp"
 #include "ionskin/live/reduction/reflections.hpp"
-#include "ionskin/live/skin_data.hpp"
 #include "ionskin/mechanics/skin/skin_model.hpp"
 
 namespace ionskin::live {

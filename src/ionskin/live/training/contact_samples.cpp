@@ -2,8 +2,8 @@
 #include "ionskin/live/training/contact_samples.hpp"
 
 #include "ionskin/base/system/interrupt.hpp"
-#include "ionskin/live/live_contact.hpp"
-#include "ionskin/live/slope_table.hpp"
+#include "ionskin/live/contact/live_contact.hpp"
+#include "ionskin/live/data/slope_table.hpp"
 #include "ionskin/live/training/random_numbers.hpp"
 
 #include <algorithm>

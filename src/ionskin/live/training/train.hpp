@@ -3,7 +3,7 @@
 
 #include "ionskin/base/progress.hpp"
 #include "ionskin/case/case.hpp"
-#include "ionskin/live/skin_data.hpp"
+#include "ionskin/live/data/skin_data.hpp"
 
 #include <array>
 #include <cstddef>

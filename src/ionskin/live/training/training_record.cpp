@@ -4,7 +4,7 @@
 #include "ionskin/base/error.hpp"
 #include "ionskin/base/files/atomic_file.hpp"
 #include "ionskin/base/files/read_text_file.hpp"
-#include "ionskin/live/skin_archive.hpp"
+#include "ionskin/live/data/skin_archive.hpp"
 
 #include <fmt/format.h>
 

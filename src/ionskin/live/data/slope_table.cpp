@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ionskin/live/slope_table.hpp"
+#include "ionskin/live/data/slope_table.hpp"
 
 #include <algorithm>
 #include <cmath>

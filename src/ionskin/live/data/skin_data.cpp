@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ionskin/live/skin_data.hpp"
+#include "ionskin/live/data/skin_data.hpp"
 
 #include "ionskin/base/error.hpp"
 #include "ionskin/base/files/atomic_file.hpp"
-#include "ionskin/live/live_contact.hpp"
-#include "ionskin/live/skin_archive.hpp"
-#include "ionskin/live/slope_table.hpp"
+#include "ionskin/live/data/skin_archive.hpp"
+#include "ionskin/live/data/slope_table.hpp"
 
 #include <algorithm>
 #include <array>
@@ -220,6 +219,14 @@ void check(const Reader& reader, const SkinData& data) {
 }
 
 } // namespace
+
+laws::Friction friction_of(const SkinData& data, double coefficient) {
+  laws::LawValues values;
+  for (std::size_t i = 0; i < data.friction_values.size(); ++i) {
+    values[data.friction_parameters[i]] = data.friction_values[i];
+  }
+  return laws::friction(data.friction_law, coefficient, values);
+}
 
 std::string skin_bytes(const SkinData& data) {
   Writer writer(magic);

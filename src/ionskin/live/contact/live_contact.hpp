@@ -3,9 +3,9 @@
 
 #include "ionskin/laws/friction/elastic_slip.hpp"
 #include "ionskin/laws/friction/return_mapping.hpp"
-#include "ionskin/live/corrections/normal_correction.hpp"
-#include "ionskin/live/corrections/tangential_correction.hpp"
-#include "ionskin/live/skin_data.hpp"
+#include "ionskin/live/contact/normal_correction.hpp"
+#include "ionskin/live/contact/tangential_correction.hpp"
+#include "ionskin/live/data/skin_data.hpp"
 
 #include <array>
 #include <span>
@@ -165,9 +165,5 @@ private:
   /// replaces the displacements by the residuals of the equations [motion][3 cells].
   std::vector<double> force_by_motion_, surface_by_motion_;
 };
-
-/// Friction law of a trained skin, with another coefficient of friction [1]. Throws where no law
-/// has its name or a parameter is unknown.
-laws::Friction friction_of(const SkinData& data, double coefficient);
 
 } // namespace ionskin::live

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ionskin/live/live_contact.hpp"
+#include "ionskin/live/contact/live_contact.hpp"
 
-#include "ionskin/live/place_amplitudes.hpp"
+#include "ionskin/live/data/place_amplitudes.hpp"
 #include "ionskin/mechanics/path/path_steps.hpp"
 
 #include <algorithm>
@@ -43,14 +43,6 @@ std::size_t memory_per_cell(const SkinData& data) {
 }
 
 } // namespace
-
-laws::Friction friction_of(const SkinData& data, double coefficient) {
-  laws::LawValues values;
-  for (std::size_t i = 0; i < data.friction_values.size(); ++i) {
-    values[data.friction_parameters[i]] = data.friction_values[i];
-  }
-  return laws::friction(data.friction_law, coefficient, values);
-}
 
 LiveContact::LiveContact(const SkinData& data)
     : data_(data), friction_(friction_of(data, data.friction)), size_(3 * data.area.size()),

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "ionskin/laws/friction/friction_law.hpp"
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -144,6 +146,10 @@ struct SkinData {
   std::vector<double> lowest;
   std::vector<SignalError> errors; ///< errors over whole touches first
 };
+
+/// Friction law of a trained skin, with another coefficient of friction [1]. Throws where no law
+/// has its name or a parameter is unknown.
+laws::Friction friction_of(const SkinData& data, double coefficient);
 
 /// Serialises a model into the content of a `.live` file, digest included.
 std::string skin_bytes(const SkinData& data);

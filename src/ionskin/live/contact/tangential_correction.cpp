@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ionskin/live/corrections/tangential_correction.hpp"
+#include "ionskin/live/contact/tangential_correction.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ionskin/live/place_amplitudes.hpp"
+#include "ionskin/live/data/place_amplitudes.hpp"
 
 #include <algorithm>
 

@@ -3,7 +3,7 @@
 // The iteration of a part of a step: sweeps, Newton steps in between, and the search for an
 // indentation.
 
-#include "ionskin/live/live_contact.hpp"
+#include "ionskin/live/contact/live_contact.hpp"
 
 #include <boost/math/tools/toms748_solve.hpp>
 
