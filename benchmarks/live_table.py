@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """Accuracy and speed of reduced skins: trains one for each of a list of cases, compares it with the full model on
-touches that it has not seen, and times its steps. The tables of docs/live.md.
+touches that it has not seen, and times its steps. The tables of docs/live-accuracy.md.
 
     benchmarks/live_table.py build [--preset coarse] [--refinement 1] [--only WORD ...] [--touches 100] [--keep FOLDER]
 

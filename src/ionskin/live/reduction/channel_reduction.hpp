@@ -14,7 +14,7 @@
 namespace ionskin::live {
 
 /// Reduces channels (scalar fields over the core) to modes, from samples of the contact;
-/// docs/live.md describes the method.
+/// docs/live-training.md describes the method.
 /// @param data trained model so far, with its contact, charges and range of positions
 /// @param places positions of the slider at which the fits are made
 /// @param samples forces of the cells [sample][3 cells] [N]. The modes are made with the slider in

@@ -9,8 +9,8 @@
 
 namespace ionskin::live {
 
-/// Events of a touch, in terms of contact state and path; also defined in docs/live.md. An instant
-/// may belong to several.
+/// Events of a touch, in terms of contact state and path; also defined in docs/live-accuracy.md. An
+/// instant may belong to several.
 namespace event {
 /// Contact that began less than `event_length` ago.
 inline constexpr std::size_t landing = 0;
