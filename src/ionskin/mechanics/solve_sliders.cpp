@@ -103,7 +103,7 @@ void require_apart(const std::vector<Case>& sliders,
     if (!box) {
       continue;
     }
-    const double reach = short_wave_reach(sliders[i].skin, footprints[i], *box);
+    const double reach = skin_waves(sliders[i].skin, footprints[i], *box).reach;
     const auto legs = motion_legs(sliders[i].motion, sliders[i].slider);
     for (std::size_t j = 0; j < sliders.size(); ++j) {
       if (i == j) {

@@ -172,7 +172,7 @@ ContactSolution solve_path(const Case& input, const std::vector<MotionLeg>& legs
 /// Adds a warning where a slider on a drive came nearer to an edge of the skin than the skin was
 /// resolved for.
 void warn_of_near_edges(const Case& input, const SkinModel& model, ContactSolution& contact) {
-  constexpr double tolerated = 0.9; // actual reach of short waves over the expected one
+  constexpr double tolerated = 0.9; // actual reach over the expected one
   MotionBox places = model.places;
   for (const SteppedInstant& instant : contact.stepped) {
     for (std::size_t d = 0; d < 2 && instant.state; ++d) {
@@ -181,8 +181,11 @@ void warn_of_near_edges(const Case& input, const SkinModel& model, ContactSoluti
     }
   }
   const mesh::Footprint& footprint = model.mesh.footprint();
-  if (short_wave_reach(input.skin, footprint, places) <
-      tolerated * short_wave_reach(input.skin, footprint, model.places)) {
+  const SkinWaves needed = skin_waves(input.skin, footprint, places),
+                  expected = skin_waves(input.skin, footprint, model.places);
+  if (needed.reach < tolerated * expected.reach ||
+      needed.ends_reach < tolerated * expected.ends_reach ||
+      needed.sides_reach < tolerated * expected.sides_reach) {
     contact.warnings.emplace_back(
         "The slider swings nearer to an edge of the skin than its drive lets expect: what that "
         "edge "

@@ -13,7 +13,7 @@ namespace ionskin::planning {
 
 namespace {
 
-constexpr double bytes_at_rest = 0.12e9; // memory of the idle program and its libraries
+constexpr double bytes_at_rest = 0.1e9; // memory of the idle program and its libraries
 // Processor time of Study 2 per unknown and time step, with the error estimate [s].
 constexpr double seconds_per_ion_step = 7e-8;
 constexpr double own_share_of_ions = 0.6; // share of Study 2 without the error estimate

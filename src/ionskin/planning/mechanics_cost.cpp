@@ -29,9 +29,9 @@ namespace {
 // cases/waypoints.toml, with a soft finger, a height map, and sweeps of friction, which separate
 // the cost of the skin from that of the path.
 constexpr double seconds_per_skin = 0.38, seconds_per_pair_of_cells = 5.7e-6;
-/// Additional time of a skin per `skin_size` [s], measured near an end of the skin and on skins of
-/// 100 x 100 mm2.
-constexpr double seconds_per_reach = 2e-3;
+/// Additional time of a skin per wave along its sides and along its ends [s], measured near a side,
+/// near an end and on skins of 100 x 100 mm2.
+constexpr double seconds_per_side_wave = 9e-3, seconds_per_end_wave = 1.6e-2;
 /// Time of a load step of the contact over the square of the number of cells [s], without and with
 /// a drive.
 constexpr double seconds_per_step = 2.2e-7, seconds_per_driven_step = 8e-7;
@@ -40,9 +40,9 @@ constexpr double seconds_per_step = 2.2e-7, seconds_per_driven_step = 8e-7;
 /// distance, per cell [s]. Measured on a height map.
 constexpr double products_per_step = 150, seconds_per_product = 5e-3,
                  seconds_per_product_and_cell = 3e-6, seconds_per_distance = 1e-5;
-/// Additional time of a load step at a new position across the skin, per `skin_size` [s]: the
+/// Additional time of a load step at a new position across the skin, per `SkinSize::plane` [s]: the
 /// compliance of rows of cells is summed over all modes again.
-constexpr double seconds_per_place_across = 2e-4;
+constexpr double seconds_per_place_across = 1e-4;
 /// Time of one multiplication in a load step near an end of the skin [s], where the waves along the
 /// end are solved for the cells again at each position. Measured 0.1 to 0.4 mm from an end.
 constexpr double seconds_per_end_product = 1e-10;
@@ -59,33 +59,43 @@ mesh::SkinMesh expected_mesh(const Case& input) {
   return {input, mesh::expected_footprint(input)};
 }
 
-/// Length times width of the skin, each over the reach of its short waves [1]: proportional to the
-/// number of modes. The motions of the free faces are matrices between nodes through the thickness;
-/// a skin of thick electrodes counts more, as it has more nodes.
-double skin_size(const Case& input, const mesh::SkinMesh& mesh, const MotionBox& places) {
-  constexpr double usual_nodes = 31; // of a thick core between thin electrodes
-  const double reach = mechanics::short_wave_reach(input.skin, mesh.footprint(), places);
-  const double nodes = mechanics::nodes_through_thickness(input.skin) / usual_nodes;
-  return (input.skin.length / reach) * (input.skin.width / reach) * nodes * nodes;
-}
+/// Numbers of waves of a skin. The motions of its free faces are matrices between nodes through the
+/// thickness; a skin of thick electrodes counts more, as it has more nodes.
+struct SkinSize {
+  SkinSize(const Case& input, const mesh::SkinMesh& mesh, const MotionBox& places) {
+    constexpr double usual_nodes = 31; // of a thick core between thin electrodes
+    const mechanics::SkinWaves waves = mechanics::skin_waves(input.skin, mesh.footprint(), places);
+    const double nodes = mechanics::nodes_through_thickness(input.skin) / usual_nodes;
+    const double weight = nodes * nodes * (mesh.half_model() ? 1 : 2); // odd waves, too
+    plane = (input.skin.length / waves.reach) * (input.skin.width / waves.reach);
+    sides = input.skin.sides == SideCondition::free ? weight * waves.along_sides : 0;
+    ends = weight * waves.along_ends;
+  }
 
-/// Memory of the modes on the sides and ends of the skin and of their strain in the core [bytes].
-/// Measured on skins of 15 x 2.5 to 15 x 18 mm2 and 45 x 6 mm2, 0.2 mm thick, and beside a side.
-double skin_memory(const mesh::SkinMesh& mesh, double size) {
-  const double bytes = mesh.half_model() ? 3.1e5 : 9e5; // with even modes only, or with all modes
-  return bytes * size;
+  /// Memory of the modes and of their strain in the core [bytes]. Measured on skins of 15 x 2.5 to
+  /// 100 x 100 mm2, 0.2 mm thick, and beside a side and an end.
+  double memory() const { return 4e4 * plane + 1.4e6 * sides + 2.5e6 * ends; }
+
+  /// Length times width of the skin, each over the reach of its short waves [1].
+  double plane = 0;
+  double sides = 0, ends = 0; ///< waves along the sides and along the ends, times their nodes [1]
+};
+
+/// Box in which the slider's centre is expected [m].
+MotionBox places_of(const Case& input, const mesh::SkinMesh& mesh) {
+  const MotionBox touching =
+      mechanics::contact_box(input).value_or(motion_box(input.motion, input.slider));
+  return mechanics::expected_places(input, touching, mesh.footprint());
 }
 
 /// Cost of the mechanics on one grid of contact cells.
 struct GridCost {
   GridCost(const Case& input, const mesh::SkinMesh& mesh)
-      : cells(static_cast<double>(mechanics::contact_cells(mesh).count())),
+      : size(input, mesh, places_of(input, mesh)),
+        cells(static_cast<double>(mechanics::contact_cells(mesh).count())),
         driven(input.motion.drive.given()),
         products(mechanics::takes_products(input, mechanics::contact_cells(mesh))) {
-    const MotionBox touching =
-        mechanics::contact_box(input).value_or(motion_box(input.motion, input.slider));
-    const MotionBox places = mechanics::expected_places(input, touching, mesh.footprint());
-    size = skin_size(input, mesh, places);
+    const MotionBox places = places_of(input, mesh);
     at_ends = products
                   ? 0
                   : seconds_per_end_product *
@@ -110,7 +120,8 @@ struct GridCost {
   double skin_seconds() const {
     const double of_cells =
         products ? seconds_per_distance * cells : seconds_per_pair_of_cells * cells * cells;
-    return seconds_per_skin + seconds_per_reach * size + of_cells;
+    return seconds_per_skin + seconds_per_side_wave * size.sides +
+           seconds_per_end_wave * size.ends + of_cells;
   }
   /// Time of the load steps along the path [s].
   double path_seconds(const mechanics::ExpectedSteps& steps) const {
@@ -119,7 +130,7 @@ struct GridCost {
         products ? products_per_step * (seconds_per_product + seconds_per_product_and_cell * cells)
                  : contact * cells * cells;
     return static_cast<double>(steps.taken) * step +
-           static_cast<double>(steps.across) * seconds_per_place_across * size + at_ends;
+           static_cast<double>(steps.across) * seconds_per_place_across * size.plane + at_ends;
   }
   /// Time to recover the strain of the stored steps, by one thread; threads share it [s].
   double strain_seconds(const mechanics::ExpectedSteps& steps) const {
@@ -145,11 +156,11 @@ struct GridCost {
     return sizeof(double) * states_per_thread * threads * points * strains;
   }
 
+  SkinSize size;
   double cells = 0, points = 0; ///< number of contact cells, and of strain points of the core
   /// Memory of the matrices from forces on rows of cells to strains, stored where the slider stays
   /// at one position across the skin [bytes].
   double rows = 0;
-  double size = 0;    ///< `skin_size`
   double at_ends = 0; ///< time for the waves along the ends over the whole path [s]
   bool driven = false;
   bool products = false;     ///< true if products of the compliance stand in place of its matrix
@@ -197,8 +208,8 @@ MechanicsCost estimate_sliders_cost(const Case& input, int threads) {
     work += passes * (own.skin_seconds() + own.path_seconds(steps)) + own.strain_seconds(steps);
     cost.contact_cells += static_cast<std::size_t>(own.cells);
     cost.steps += steps.taken;
-    cost.memory += skin_memory(meshes[i], own.size) + own.rows +
-                   std::max(own.contact_memory(1), own.strain_memory(1));
+    cost.memory +=
+        own.size.memory() + own.rows + std::max(own.contact_memory(1), own.strain_memory(1));
     kept += static_cast<double>(steps.kept);
     for (const MotionLeg& leg : motion_legs(sliders[i].motion, sliders[i].slider)) {
       ways += leg.touches() ? leg.length() : 0;
@@ -259,7 +270,7 @@ MechanicsCost estimate_mechanics_cost(const Case& input, int threads,
   cost.seconds =
       sought + (threads > 1 ? std::max(alone, beside) : alone + beside) + strain / threads;
   cost.further_seconds = (path + path_beside + strain) / threads;
-  cost.memory = skin_memory(mesh, own.size) + own.rows +
+  cost.memory = own.size.memory() + own.rows +
                 std::max(own.contact_memory(threads), own.strain_memory(threads) + cost.histories);
   return cost;
 }

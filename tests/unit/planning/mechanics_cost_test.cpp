@@ -55,14 +55,16 @@ TEST(MechanicsCost, HoldsTheModesOfWideSkinsAndOfNearSides) {
     return estimate_mechanics_cost(read_case(IONSKIN_CASES "/finger.toml", all), 1, {}).memory;
   };
   const double plain = memory({});
-  EXPECT_GT(memory({"skin.width=18 mm", "slider.start=[\"4.5 mm\", \"9 mm\"]"}), 2 * plain);
-  EXPECT_GT(memory({"skin.length=45 mm"}), 2 * plain);
+  EXPECT_GT(memory({"skin.length=45 mm"}), 1.3 * plain);
+  // The sides are far from the slider then, and move in few waves. A run takes as much as before.
+  EXPECT_LT(memory({"skin.width=18 mm", "slider.start=[\"4.5 mm\", \"9 mm\"]"}), 1.5 * plain);
   // Electrodes as thick as the core have as many nodes.
   EXPECT_GT(memory({"skin.layers[0].thickness=80 um", "skin.layers[1].thickness=80 um",
                     "skin.layers[2].thickness=80 um"}),
             1.5 * memory({"skin.layers[1].thickness=220 um"}));
-  // A run takes 1.37 GB: getrusage, beside 0.4 mm from a side.
-  EXPECT_GT(memory({"slider.start=[\"4.5 mm\", \"0.4 mm\"]"}), 1.0e9);
+  // A run takes 0.51 GB with its centre 0.4 mm from a side (getrusage), and 0.10 GB in the middle.
+  EXPECT_GT(memory({"slider.start=[\"4.5 mm\", \"0.4 mm\"]"}), 0.5e9);
+  EXPECT_GT(plain, 0.1e9);
 }
 
 // A swing that need not come must not fill the memory: a soft spring on a thin skin promised 5.4
@@ -99,8 +101,8 @@ TEST(MechanicsCost, CountsStepsAcrossTheSkin) {
   };
   const MechanicsCost along = towards("[1, 0]"), across = towards("[1, 0.2]");
   EXPECT_EQ(along.contact_cells, across.contact_cells);
-  EXPECT_GT(across.seconds, 1.8 * along.seconds);
-  EXPECT_LT(across.seconds, 5 * along.seconds);
+  EXPECT_GT(across.seconds, 1.3 * along.seconds);
+  EXPECT_LT(across.seconds, 3 * along.seconds);
 }
 
 TEST(MechanicsCost, CountsTheWavesAlongANearEnd) {

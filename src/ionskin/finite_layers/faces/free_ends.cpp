@@ -30,7 +30,11 @@ double multiplicity(Eigen::Index mode) {
 FreeEnds::FreeEnds(const ThicknessColumn& column, double length, double width,
                    const WaveSplit& split, const FaceResolution& resolution, const FreeSides* sides,
                    bool mirrored, int threads)
-    : along_x_(ModeLine::up_to(length, split.last_long())),
+    : along_x_(ModeLine::up_to(
+          length, std::max(split.last_long(),
+                           sides == nullptr
+                               ? 0.0
+                               : static_cast<double>(sides->modes()) * std::numbers::pi / length))),
       along_y_(ModeLine::up_to(width, split.last_long())), sides_(sides) {
   for (const Parity along_y : parities(mirrored)) {
     for (const Parity along_x : {Parity::even, Parity::odd}) {
@@ -92,6 +96,8 @@ FreeEnds::Rows FreeEnds::rows(const ContactGrid& grid, double centre_y) const {
   Rows result;
   result.ends_ = this;
   const ModeTransform of_rows = along_y_.transform(grid.y, centre_y);
+  const ModeTransform beside_sides =
+      sides_ == nullptr ? ModeTransform() : sides_->along_y().transform(grid.y, centre_y);
   const Eigen::Index count = grid.rows();
   for (std::size_t c = 0; c < classes_.size(); ++c) {
     const Class& own = classes_[c];
@@ -115,7 +121,7 @@ FreeEnds::Rows FreeEnds::rows(const ContactGrid& grid, double centre_y) const {
       if (own.on_sides[at].size() > 0) {
         stress.noalias() -=
             own.on_sides[at].transpose() *
-            sides_->stiffness(m, own.along_y).solve(sides_->stress(m, own.along_y, of_rows));
+            sides_->stiffness(m, own.along_y).solve(sides_->stress(m, own.along_y, beside_sides));
       }
       result.stress_[c].push_back(multiplicity(m) / along_x_.extent * stress);
     }
@@ -182,8 +188,9 @@ void FreeEnds::add(const std::array<Eigen::MatrixXd, 3>& forces, const Eigen::Ar
   const Eigen::Index waves = forces[0].cols();
   for (const Class& own : classes_) {
     const Eigen::Index first = own.along_x == Parity::even ? 0 : 1;
-    const auto modes =
-        static_cast<std::size_t>(std::max<Eigen::Index>(0, share.size() - first + 1) / 2);
+    const std::size_t modes =
+        std::min(own.stress.size(),
+                 static_cast<std::size_t>(std::max<Eigen::Index>(0, share.size() - first + 1) / 2));
     const Eigen::Index nodes = own.nodes(), size = unknowns(own, last);
     if (size == 0 || modes == 0) {
       continue;
@@ -246,9 +253,9 @@ void FreeEnds::add(const std::array<Eigen::MatrixXd, 3>& forces, const Eigen::Ar
 void FreeEnds::Rows::add(const ContactGrid& grid, double centre_x, const Eigen::ArrayXd& share,
                          double last, Eigen::MatrixXd& compliance) const {
   const ModeLine& along_x = ends_->along_x_;
+  const Eigen::Index all = std::min(share.size(), along_x.wave_numbers.size());
   const ModeTransform of_columns =
-      ModeLine{along_x.extent, along_x.wave_numbers.head(share.size()), {}}.transform(grid.x,
-                                                                                      centre_x);
+      ModeLine{along_x.extent, along_x.wave_numbers.head(all), {}}.transform(grid.x, centre_x);
   const Eigen::Index columns = grid.columns(), rows = grid.rows();
   const double images = grid.half ? 2 : 1;
   for (std::size_t c = 0; c < stress_.size(); ++c) {
@@ -257,7 +264,7 @@ void FreeEnds::Rows::add(const ContactGrid& grid, double centre_x, const Eigen::
     }
     const Class& own = ends_->classes_[c];
     const Eigen::Index first = own.along_x == Parity::even ? 0 : 1;
-    const Eigen::Index modes = (share.size() - first + 1) / 2;
+    const Eigen::Index modes = (all - first + 1) / 2;
     const Eigen::Index nodes = own.nodes(), size = ends_->unknowns(own, last);
     if (size == 0 || modes <= 0) {
       continue;

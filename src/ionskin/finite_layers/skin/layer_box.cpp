@@ -35,12 +35,15 @@ LayerBox::LayerBox(LayerBoxKey made_of, int threads)
     : key(std::move(made_of)), surface(key.layers), short_waves(surface, key.resolution.split()),
       modes(surface, key.length, key.width, key.resolution.split()),
       column(key.layers, key.resolution.elements, key.resolution.degree) {
-  const WaveSplit split = key.resolution.split();
+  const SkinResolution& resolution = key.resolution;
+  const auto split = [&](double reach) { return WaveSplit(reach, resolution.split_tolerance); };
   if (key.free_sides) {
-    sides.emplace(column, key.length, key.width, split, key.resolution.face(key.length),
+    const double reach = resolution.sides_reach;
+    sides.emplace(column, key.length, key.width, split(reach), resolution.face(reach, key.length),
                   key.mirrored, threads);
   }
-  ends.emplace(column, key.length, key.width, split, key.resolution.face(key.width),
+  const double reach = resolution.ends_reach;
+  ends.emplace(column, key.length, key.width, split(reach), resolution.face(reach, key.width),
                sides ? &*sides : nullptr, key.mirrored, threads);
   fields = {key.layers, key.core, key.length, key.width, &column, sides ? &*sides : nullptr,
             &*ends,     nullptr};

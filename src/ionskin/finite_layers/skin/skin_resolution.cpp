@@ -17,10 +17,15 @@ constexpr double least_reach = 0.75, usual_reach = 2.5;
 /// is proportional to it, cost more than the rest: a skin this thin has a longer reach.
 constexpr double most_modes = 1000;
 
+/// Largest half power of 2 of a reach within a clearance, at least the reach [m].
+double reach_of_face(double reach, double clearance) {
+  return reach * std::exp2(0.5 * std::floor(2 * std::log2(std::max(1.0, clearance / reach))));
+}
+
 } // namespace
 
-FaceResolution SkinResolution::face(double length) const {
-  const double last = fading_end * face_waves / reach;
+FaceResolution SkinResolution::face(double face_reach, double length) const {
+  const double last = fading_end * face_waves / face_reach;
   return {static_cast<Eigen::Index>(std::ceil(last * length / std::numbers::pi)) + 1, one_by_one};
 }
 
@@ -37,6 +42,8 @@ SkinResolution skin_resolution(const Skin& skin, const Clearance& clearance, Ski
       std::max(usual_reach * thickness, std::sqrt(skin.length * skin.width / most_modes));
   result.reach = std::clamp(2 * std::min(clearance.ends, clearance.sides), least_reach * thickness,
                             most_reach);
+  result.ends_reach = reach_of_face(result.reach, clearance.ends);
+  result.sides_reach = reach_of_face(result.reach, clearance.sides);
   const bool results = purpose == SkinPurpose::results;
   result.face_waves = results ? 5 : 3;
   result.one_by_one = results ? 120 : 60;

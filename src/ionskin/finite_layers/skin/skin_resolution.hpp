@@ -24,8 +24,12 @@ enum class SkinPurpose { results, outline };
 struct SkinResolution {
   double split_tolerance = 0; ///< relative size at which either share of the waves is neglected [1]
   double reach = 0;           ///< distance at which short waves end [m]
-  /// Wave number along a free face up to which waves count in full, times `reach` [1].
+  /// Wave number along a free face up to which waves count in full, times the reach of the face
+  /// [1].
   double face_waves = 0;
+  /// Distance over which the motions of the ends and of the sides are felt, not below `reach`: they
+  /// have no shorter waves under loads that are as far away [m].
+  double ends_reach = 0, sides_reach = 0;
   /// Number up to which modes across the skin are summed singly.
   int one_by_one = 0;
   int degree = 0;                     ///< polynomial degree of the elements through the thickness
@@ -35,15 +39,17 @@ struct SkinResolution {
   /// Split of the compliance into short and long waves.
   WaveSplit split() const { return {reach, split_tolerance}; }
   /// Calculates the resolution of a free face.
+  /// @param face_reach distance over which its motion is felt [m]
   /// @param length of the skin along the face [m]
-  FaceResolution face(double length) const;
+  FaceResolution face(double face_reach, double length) const;
 };
 
 /// Chooses the resolution of a skin. Short waves reach twice the smaller clearance, which is the
 /// distance from the slider to its nearest mirror image, but at least 0.75 and at most 2.5
 /// thicknesses of the skin; on a skin that is very wide for its thickness, at most a 32nd of the
 /// root of its area. Where a face is nearer than half the reach, its effect on the shorter waves is
-/// neglected.
+/// neglected. The motion of a face is resolved for its own clearance, rounded down to half a power
+/// of 2 of the reach, so that skins of similar paths are the same.
 /// @param clearance smallest distances over the whole path of the slider
 SkinResolution skin_resolution(const Skin& skin, const Clearance& clearance,
                                SkinPurpose purpose = SkinPurpose::results);

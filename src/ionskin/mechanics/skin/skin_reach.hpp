@@ -16,12 +16,16 @@ namespace ionskin::mechanics {
 std::array<double, 2> clearance(const Skin& skin, const mesh::Footprint& footprint,
                                 const MotionBox& places);
 
-/// Distance that short waves in the skin reach when the slider stays within a box, see
-/// `finite_layers::skin_resolution` [m]. The nearer the slider comes to a face of the skin, the
-/// shorter is the reach, and the more modes the skin takes.
+/// Reaches and numbers of the waves that resolve a skin; see `finite_layers::SkinResolution`.
+struct SkinWaves {
+  double reach = 0;                       ///< distance at which short waves end [m]
+  double ends_reach = 0, sides_reach = 0; ///< over which motions of the free faces are felt [m]
+  double along_ends = 0, along_sides = 0; ///< numbers of waves along these faces [1]
+};
+/// Finds how finely a skin is resolved when the slider stays within a box: the nearer the slider
+/// comes to a face of the skin, the more waves the skin takes.
 /// @param places box in which the slider's centre may be [m]
-double short_wave_reach(const Skin& skin, const mesh::Footprint& footprint,
-                        const MotionBox& places);
+SkinWaves skin_waves(const Skin& skin, const mesh::Footprint& footprint, const MotionBox& places);
 
 /// Number of nodes through the thickness of the finite elements that free the sides and ends.
 double nodes_through_thickness(const Skin& skin);
