@@ -7,6 +7,7 @@
 #include <Eigen/Core>
 
 #include <array>
+#include <functional>
 #include <vector>
 
 namespace ionskin::finite_layers {
@@ -34,6 +35,11 @@ struct ModeLine {
   ModeTransform transform(const std::vector<double>& lines, double centre) const;
 };
 
+/// Part of the sum over modes along x or along y. `alike` is the part that does not depend on the
+/// slider's position in this direction, as in a skin without faces there; `mirrored` is the part
+/// that mirror images in the two faces add.
+enum class ModePart { alike, mirrored };
+
 /// Modes of a skin whose four side faces are held by rollers: displacements along the top face are
 /// sines and cosines that meet this boundary condition exactly, docs/model.md (48). They carry the
 /// share of long waves in the compliance of the top face (54). Mirror images of the load in the
@@ -52,6 +58,14 @@ public:
   /// One matrix per mode, [3 row + component, 3 row + component] [m2/N].
   /// @param centre_y position of the slider's centre along y, from the skin's corner [m]
   std::vector<Eigen::MatrixXd> rows(const ContactGrid& grid, double centre_y) const;
+  /// Calculates one part of the sum over the modes along y, in the same form. Not for a half grid,
+  /// whose two halves are mirror images of each other.
+  /// @param share factor on each of the first modes, [mode along x, mode along y] [1]; further
+  /// modes are left out
+  /// @param centre_y any value for `ModePart::alike`
+  /// @returns one matrix for each mode along x of `share`
+  std::vector<Eigen::MatrixXd> rows(const ContactGrid& grid, double centre_y, ModePart part,
+                                    const Eigen::ArrayXXd& share) const;
 
   /// Compliance of all modes between two components, times the weight of the mode along y and the
   /// share of long waves. It does not depend on the position of the slider.
@@ -63,14 +77,14 @@ public:
   const std::array<Between, 6>& between() const { return between_; }
 
 private:
+  /// Products of the waves of two components over pairs of rows, [mode along y, row at and from].
+  using PairsOfRows = std::function<Eigen::MatrixXd(Eigen::Index at, Eigen::Index from)>;
+  std::vector<Eigen::MatrixXd> summed(Eigen::Index count, const Eigen::ArrayXXd& share,
+                                      const PairsOfRows& pairs) const;
+
   ModeLine x_, y_;
   std::array<Between, 6> between_;
 };
-
-/// Part of the sum over modes along x. `alike` is the part that does not depend on the slider's
-/// position along x, as in a skin without ends; `mirrored` is the part that mirror images in the
-/// two ends add.
-enum class ModePart { alike, mirrored };
 
 /// Adds one part of the sum over the modes along x to the compliance matrix of the cells, [3 cell +
 /// component, 3 cell + component] [m/N].

@@ -21,8 +21,15 @@ double smaller(double one, double other) {
 LayeredSkin::LayeredSkin(const Skin& skin, ContactGrid grid, const SkinResolution& resolution,
                          int threads, ComplianceForm form)
     : grid_(std::move(grid)), box_(layer_box({skin, resolution, grid_.half}, threads)) {
-  if (form == ComplianceForm::matrix) {
-    short_compliance_ = plane_compliance(box_->short_waves, grid_, own_images(grid_));
+  if (form == ComplianceForm::products) {
+    return;
+  }
+  alike_ = plane_compliance(box_->short_waves, grid_, own_images(grid_));
+  if (!grid_.half) {
+    const ModeLine &x = box_->modes.along_x(), &y = box_->modes.along_y();
+    const Eigen::ArrayXXd all = Eigen::ArrayXXd::Ones(x.wave_numbers.size(), y.wave_numbers.size());
+    alike_rows_ = box_->modes.rows(grid_, 0, ModePart::alike, all);
+    add_modes(alike_rows_, x, ModePart::alike, all.col(0), grid_, 0, alike_);
   }
 }
 
@@ -70,18 +77,60 @@ SkinFields LayeredSkin::fields(const std::vector<double>& heights, double column
 LayeredSkin::Across LayeredSkin::across(double centre_y) const {
   Across result;
   result.skin_ = this;
-  result.rows_ = box_->modes.rows(grid_, centre_y);
-  result.alike_ = short_compliance_;
+  const ModeLine& along_x = box_->modes.along_x();
+  // Mirror images in the sides, and the motion of these, depend on the position across the skin.
+  std::vector<Eigen::MatrixXd> rows =
+      grid_.half ? box_->modes.rows(grid_, centre_y)
+                 : box_->modes.rows(grid_, centre_y, ModePart::mirrored, near_sides(centre_y));
   if (box_->sides) {
-    box_->sides->add(grid_, centre_y, result.rows_);
+    const Eigen::Index count = 3 * grid_.rows(),
+                       modes = std::min(box_->sides->modes(), along_x.wave_numbers.size());
+    rows.resize(std::max(rows.size(), static_cast<std::size_t>(modes)),
+                Eigen::MatrixXd::Zero(count, count));
+    box_->sides->add(grid_, centre_y, rows);
   }
+  result.alike_ = alike_;
   if (const auto images = images_in_sides(centre_y); !images.empty()) {
     result.alike_ += plane_compliance(box_->short_waves, grid_, images);
   }
+  const Eigen::ArrayXd all = Eigen::ArrayXd::Ones(static_cast<Eigen::Index>(rows.size()));
+  add_modes(rows, along_x, ModePart::alike, all, grid_, 0, result.alike_);
+  if (!grid_.half) {
+    for (std::size_t m = 0; m < rows.size(); ++m) {
+      rows[m] += alike_rows_[m];
+    }
+    rows.insert(rows.end(), alike_rows_.begin() + static_cast<std::ptrdiff_t>(rows.size()),
+                alike_rows_.end());
+  }
+  result.rows_ = std::move(rows);
   result.ends_ = box_->ends->rows(grid_, centre_y);
-  const Eigen::ArrayXd all = Eigen::ArrayXd::Ones(box_->modes.along_x().wave_numbers.size());
-  add_modes(result.rows_, box_->modes.along_x(), ModePart::alike, all, grid_, 0, result.alike_);
   return result;
+}
+
+/// Share of the modes of the skin that mirror images in the sides still have from a slider at some
+/// position, [mode along x, mode along y]: waves whose response ends before an image do not count.
+/// No other form of the compliance leaves them out, so that the tolerance is near rounding.
+Eigen::ArrayXXd LayeredSkin::near_sides(double centre_y) const {
+  constexpr double tolerance = 1e-14, least_share = 1e-15;
+  const Eigen::ArrayXd &x = box_->modes.along_x().wave_numbers,
+                       &y = box_->modes.along_y().wave_numbers;
+  const double clearance =
+      smaller(centre_y + grid_.y.front(), box_->key.width - centre_y - grid_.y.back());
+  const WaveSplit split(std::max(2 * clearance, box_->key.resolution.reach), tolerance);
+  if (split.last_long() >= std::min(x(x.size() - 1), y(y.size() - 1))) {
+    return Eigen::ArrayXXd::Ones(x.size(), y.size());
+  }
+  const auto felt = [&](const Eigen::ArrayXd& waves) {
+    const Eigen::ArrayXd shares = waves.unaryExpr([&](double k) { return split.long_share(k); });
+    return (shares >= least_share).count();
+  };
+  Eigen::ArrayXXd share(felt(x), felt(y));
+  for (Eigen::Index n = 0; n < share.cols(); ++n) {
+    for (Eigen::Index m = 0; m < share.rows(); ++m) {
+      share(m, n) = split.long_share(std::hypot(x(m), y(n)));
+    }
+  }
+  return share;
 }
 
 // An image is twice as far away as the end that mirrors it: waves whose response ends before that

@@ -101,10 +101,16 @@ public:
 private:
   double clearance_of_ends(const ContactGrid& grid, double centre_x) const;
   NearEnds near_ends(double clearance) const;
+  Eigen::ArrayXXd near_sides(double centre_y) const;
 
   ContactGrid grid_;
   std::shared_ptr<const LayerBox> box_;
-  Eigen::MatrixXd short_compliance_; ///< short waves between the cells [m/N]; empty with `products`
+  /// Part of the compliance of the rows of cells that does not depend on the position across the
+  /// skin, for each mode along x [m2/N]; empty for a half grid and with `products`.
+  std::vector<Eigen::MatrixXd> alike_rows_;
+  /// Part of the compliance that does not depend on the position: short waves between the cells,
+  /// and long waves without mirror images [m/N]; empty with `products`.
+  Eigen::MatrixXd alike_;
 };
 
 } // namespace ionskin::finite_layers

@@ -54,6 +54,20 @@ TEST(SplitCompliance, is_symmetric_and_positive) {
   EXPECT_EQ(found.llt().info(), Eigen::Success);
 }
 
+TEST(SplitCompliance, of_rows_has_a_part_that_is_alike_at_all_places_and_a_mirrored_one) {
+  const BoxModes modes(SurfaceCompliance(paper_skin()), length, width, WaveSplit(0.6e-3, 1e-4));
+  const ContactGrid grid = graded_grid();
+  const Eigen::ArrayXXd all = Eigen::ArrayXXd::Ones(modes.along_x().wave_numbers.size(),
+                                                    modes.along_y().wave_numbers.size());
+  const auto whole = modes.rows(grid, 1.1e-3), alike = modes.rows(grid, 0, ModePart::alike, all),
+             mirrored = modes.rows(grid, 1.1e-3, ModePart::mirrored, all);
+  ASSERT_EQ(whole.size(), alike.size());
+  for (std::size_t m = 0; m < whole.size(); ++m) {
+    EXPECT_LT((alike[m] + mirrored[m] - whole[m]).cwiseAbs().maxCoeff(),
+              1e-12 * whole.front().cwiseAbs().maxCoeff());
+  }
+}
+
 TEST(SplitCompliance, of_the_half_is_that_of_the_whole_under_mirrored_forces) {
   const SurfaceCompliance surface(paper_skin());
   const ContactGrid half{{-0.2e-3, 0, 0.3e-3}, {-0.3e-3, -0.28e-3, 0}, true},

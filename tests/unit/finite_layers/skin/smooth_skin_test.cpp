@@ -54,6 +54,18 @@ TEST(SmoothSkin, compliance_does_not_jump_as_the_slider_moves) {
   EXPECT_LT(roughness(along, 3), 1e-6 * along.front());
 }
 
+TEST(SmoothSkin, compliance_does_not_jump_as_the_slider_moves_across) {
+  Skin wide = long_skin();
+  wide.width = 6e-3;
+  const ContactGrid grid{{-0.4e-3, 0.4e-3}, {-0.3e-3, 0.3e-3}};
+  const LayeredSkin layers(wide, grid, skin_resolution(wide, {4e-3, 0.7e-3}));
+  std::vector<double> across;
+  for (int i = 0; i <= 40; ++i) {
+    across.push_back(layers.across(1e-3 + i * 50e-6).compliance(6e-3)(2, 2));
+  }
+  EXPECT_LT(roughness(across, 4), 1.5e-5 * across.front());
+}
+
 TEST(SmoothSkin, strain_along_a_side_has_no_ripple_far_from_the_slider) {
   const LayeredSkin layers = skin();
   const double side = 50e-6;
