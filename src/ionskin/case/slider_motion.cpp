@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <numbers>
 
 namespace ionskin {
@@ -36,6 +37,7 @@ public:
     level_ = level;
     pose_ = pose;
   }
+  void reserve(std::size_t legs) { legs_.reserve(legs); }
   std::vector<MotionLeg> take() { return std::move(legs_); }
 
 private:
@@ -91,6 +93,7 @@ std::vector<MotionLeg> through_waypoints(const std::vector<Waypoint>& waypoints,
                                          const shapes::Pose& pose) {
   Cycle cycle(waypoints.front().position, level_of(waypoints.front()),
               pose_of(waypoints.front(), pose));
+  cycle.reserve(waypoints.size() - 1);
   bool has_touched = false;
   for (std::size_t i = 1; i < waypoints.size(); ++i) {
     const SliderLevel from = level_of(waypoints[i - 1]), to = level_of(waypoints[i]);

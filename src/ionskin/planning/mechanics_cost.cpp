@@ -91,11 +91,13 @@ MotionBox places_of(const Case& input, const mesh::SkinMesh& mesh) {
 /// Cost of the mechanics on one grid of contact cells.
 struct GridCost {
   GridCost(const Case& input, const mesh::SkinMesh& mesh)
-      : size(input, mesh, places_of(input, mesh)),
+      : GridCost(input, mesh, places_of(input, mesh)) {}
+  /// @param places box in which the slider's centre is expected [m]
+  GridCost(const Case& input, const mesh::SkinMesh& mesh, const MotionBox& places)
+      : size(input, mesh, places),
         cells(static_cast<double>(mechanics::contact_cells(mesh).count())),
         driven(input.motion.drive.given()),
         products(mechanics::takes_products(input, mechanics::contact_cells(mesh))) {
-    const MotionBox places = places_of(input, mesh);
     at_ends = products
                   ? 0
                   : seconds_per_end_product *
