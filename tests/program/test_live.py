@@ -613,6 +613,10 @@ class LiveTest(ProgramTest):
             self.assertIn(part, self.run_program(*words, *further, expect=2).stderr)
         record.write_bytes(kept[:-40])
         self.assertIn("damaged", self.run_program(*words, 7, "--resume", expect=2).stderr)
+        # What another training left must not be taken for what this one keeps.
+        said = self.end_at_progress("training: mechanics", *words, 7, "--overwrite")
+        self.assertNotIn("--resume", said)
+        self.assertFalse(record.exists())
         record.write_bytes(kept)
         said = self.run_program(*words, 7, "--resume", "--progress", "json").stderr
         self.assertNotIn('"activity":"training', said)

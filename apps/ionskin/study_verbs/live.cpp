@@ -218,7 +218,10 @@ int live(const LiveOptions& options, const std::string& command) {
   ionskin::live::check_trainable(input, settings);
   planning::require_resources(input, thread_count(options.threads));
   const std::filesystem::path record = record_of(options);
-  if (!options.resume && !options.overwrite) {
+  std::error_code failure;
+  if (options.overwrite) {
+    std::filesystem::remove(record, failure);
+  } else if (!options.resume) {
     require_no_record(record);
   }
   ionskin::live::SkinData data;
@@ -240,7 +243,6 @@ int live(const LiveOptions& options, const std::string& command) {
       interrupted = true;
     }
   }
-  std::error_code failure;
   if (interrupted) {
     fmt::print(stderr, "interrupted: {} was not written{}\n",
                options.output.empty() ? options.fmu : options.output,

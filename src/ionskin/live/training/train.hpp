@@ -31,8 +31,8 @@ struct TrainingOptions {
   int threads = 1;
   base::ProgressCallback progress = base::no_progress;
   std::string command; ///< command line, for the file
-  /// File that keeps what is done while the validation runs, and is removed by nobody but the
-  /// caller; empty to keep nothing.
+  /// File that keeps what is done while the validation runs, and which the caller removes; empty to
+  /// keep nothing.
   std::filesystem::path record;
   std::string identity; ///< of everything that decides the result, for this file
   bool resume = false;  ///< goes on from `record`, if this file exists
