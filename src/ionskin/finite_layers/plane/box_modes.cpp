@@ -59,17 +59,52 @@ BoxModes::BoxModes(const SurfaceCompliance& surface, double length, double width
   }
 }
 
-/// Sums the modes along y.
-/// @param count number of rows of cells
-/// @param share factor on each of the first modes, [mode along x, mode along y] [1]
-std::vector<Eigen::MatrixXd> BoxModes::summed(Eigen::Index count, const Eigen::ArrayXXd& share,
-                                              const PairsOfRows& pairs) const {
+std::vector<Eigen::MatrixXd> BoxModes::rows(const ContactGrid& grid, double centre_y) const {
+  return summed(grid, centre_y, std::nullopt,
+                Eigen::ArrayXXd::Ones(x_.wave_numbers.size(), y_.wave_numbers.size()));
+}
+
+std::vector<Eigen::MatrixXd> BoxModes::rows(const ContactGrid& grid, double centre_y, ModePart part,
+                                            const Eigen::ArrayXXd& share) const {
+  return summed(grid, centre_y, part, share);
+}
+
+/// Sums the modes along y: all of a product of two waves, or the part that is half the wave of the
+/// difference of their arguments or half the wave of the sum.
+std::vector<Eigen::MatrixXd> BoxModes::summed(const ContactGrid& grid, double centre_y,
+                                              std::optional<ModePart> part,
+                                              const Eigen::ArrayXXd& share) const {
+  const Eigen::Index count = grid.rows();
+  const ModeTransform transform =
+      ModeLine{y_.extent, y_.wave_numbers.head(share.cols()), {}}.transform(grid.y, centre_y);
+  // A symmetric load has no odd modes.
+  const auto occur = Eigen::seq(0, share.cols() - 1, grid.half ? 2 : 1);
+  const double images = grid.half ? 2 : 1;
+  const auto along = [&](bool sine) -> Eigen::MatrixXd { // [row, mode]
+    return (sine ? transform.sine : transform.cosine)(Eigen::all, occur);
+  };
   std::vector<Eigen::MatrixXd> result(static_cast<std::size_t>(share.rows()),
                                       Eigen::MatrixXd(3 * count, 3 * count));
   for (const Between& one : between_) {
+    const bool at_sine = one.at == 2, from_sine = one.from == 2;
+    const double sign = (at_sine == from_sine) == (part == ModePart::alike) ? 1 : -1;
+    const Eigen::MatrixXd at = along(at_sine), from = along(from_sine), beside_at = along(!at_sine),
+                          beside_from = along(!from_sine);
+    Eigen::MatrixXd pairs(at.cols(), count * count); // [mode, row at and from]
+    for (Eigen::Index j = 0; j < count; ++j) {
+      const auto of_row = [j](const Eigen::MatrixXd& all,
+                              const Eigen::MatrixXd& row) -> Eigen::MatrixXd {
+        return (all.array().rowwise() * row.row(j).array()).matrix().transpose();
+      };
+      auto of_pairs = pairs.middleCols(count * j, count);
+      of_pairs = images * of_row(at, from);
+      if (part) {
+        of_pairs = 0.5 * (of_pairs + sign * of_row(beside_at, beside_from));
+      }
+    }
     const Eigen::MatrixXd waves =
-        one.waves.topLeftCorner(share.rows(), share.cols()).array() * share;
-    const Eigen::MatrixXd of_modes = waves * pairs(one.at, one.from);
+        one.waves.topLeftCorner(share.rows(), share.cols()).cwiseProduct(share.matrix());
+    const Eigen::MatrixXd occurring = waves(Eigen::all, occur), of_modes = occurring * pairs;
     for (std::size_t m = 0; m < result.size(); ++m) {
       const auto block = of_modes.row(static_cast<Eigen::Index>(m)).reshaped(count, count);
       result[m](Eigen::seqN(one.at, count, 3), Eigen::seqN(one.from, count, 3)) = block;
@@ -80,52 +115,6 @@ std::vector<Eigen::MatrixXd> BoxModes::summed(Eigen::Index count, const Eigen::A
     }
   }
   return result;
-}
-
-std::vector<Eigen::MatrixXd> BoxModes::rows(const ContactGrid& grid, double centre_y) const {
-  const ModeTransform transform = y_.transform(grid.y, centre_y);
-  const Eigen::Index count = grid.rows(), modes = y_.wave_numbers.size();
-  Eigen::ArrayXXd share = Eigen::ArrayXXd::Ones(x_.wave_numbers.size(), modes);
-  for (Eigen::Index n = 1; n < modes && grid.half; n += 2) {
-    share.col(n) = 0; // a symmetric load has no odd modes
-  }
-  const double images = grid.half ? 2 : 1;
-  return summed(count, share, [&](Eigen::Index at, Eigen::Index from) {
-    const Eigen::ArrayXXd &one = at == 2 ? transform.sine : transform.cosine,
-                          &other = from == 2 ? transform.sine : transform.cosine;
-    Eigen::MatrixXd pairs(modes, count * count);
-    for (Eigen::Index j = 0; j < count; ++j) {
-      pairs.middleCols(count * j, count) =
-          images * (one.rowwise() * other.row(j)).matrix().transpose();
-    }
-    return pairs;
-  });
-}
-
-// A product of two waves is half the wave of the difference of their arguments and half the wave of
-// the sum.
-std::vector<Eigen::MatrixXd> BoxModes::rows(const ContactGrid& grid, double centre_y, ModePart part,
-                                            const Eigen::ArrayXXd& share) const {
-  const Eigen::Index count = grid.rows(), modes = share.cols();
-  const ModeTransform transform =
-      ModeLine{y_.extent, y_.wave_numbers.head(modes), {}}.transform(grid.y, centre_y);
-  return summed(count, share, [&](Eigen::Index at, Eigen::Index from) {
-    const double sign = ((at == 2) == (from == 2)) == (part == ModePart::alike) ? 0.5 : -0.5;
-    const auto own = [&](Eigen::Index c) -> const Eigen::ArrayXXd& {
-      return c == 2 ? transform.sine : transform.cosine;
-    };
-    const auto other = [&](Eigen::Index c) -> const Eigen::ArrayXXd& {
-      return c == 2 ? transform.cosine : transform.sine;
-    };
-    Eigen::MatrixXd pairs(modes, count * count);
-    for (Eigen::Index j = 0; j < count; ++j) {
-      pairs.middleCols(count * j, count) = (0.5 * (own(at).rowwise() * own(from).row(j)) +
-                                            sign * (other(at).rowwise() * other(from).row(j)))
-                                               .matrix()
-                                               .transpose();
-    }
-    return pairs;
-  });
 }
 
 void add_modes(const std::vector<Eigen::MatrixXd>& rows, const ModeLine& along_x, ModePart part,

@@ -7,7 +7,7 @@
 #include <Eigen/Core>
 
 #include <array>
-#include <functional>
+#include <optional>
 #include <vector>
 
 namespace ionskin::finite_layers {
@@ -77,10 +77,9 @@ public:
   const std::array<Between, 6>& between() const { return between_; }
 
 private:
-  /// Products of the waves of two components over pairs of rows, [mode along y, row at and from].
-  using PairsOfRows = std::function<Eigen::MatrixXd(Eigen::Index at, Eigen::Index from)>;
-  std::vector<Eigen::MatrixXd> summed(Eigen::Index count, const Eigen::ArrayXXd& share,
-                                      const PairsOfRows& pairs) const;
+  std::vector<Eigen::MatrixXd> summed(const ContactGrid& grid, double centre_y,
+                                      std::optional<ModePart> part,
+                                      const Eigen::ArrayXXd& share) const;
 
   ModeLine x_, y_;
   std::array<Between, 6> between_;

@@ -109,7 +109,8 @@ LayeredSkin::Across LayeredSkin::across(double centre_y) const {
 
 /// Share of the modes of the skin that mirror images in the sides still have from a slider at some
 /// position, [mode along x, mode along y]: waves whose response ends before an image do not count.
-/// No other form of the compliance leaves them out, so that the tolerance is near rounding.
+/// The tolerance is near rounding, so that the matrix agrees with that of a half grid and with
+/// `CellProduct`, which count all waves.
 Eigen::ArrayXXd LayeredSkin::near_sides(double centre_y) const {
   constexpr double tolerance = 1e-14, least_share = 1e-15;
   const Eigen::ArrayXd &x = box_->modes.along_x().wave_numbers,

@@ -50,7 +50,7 @@ struct Friction {
 };
 
 /// True if the limit is proportional to the pressure and depends on nothing else. The frictional
-/// contact of a flat slider is then proportional to its load.
+/// contact of a flat slider without adhesion is then proportional to its load.
 bool is_proportional(const Friction& friction);
 
 /// One row of the table of friction laws.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/finite_layers/skin/layered_skin.hpp"
+#include "paper_skin.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,14 +13,7 @@ namespace ionskin::finite_layers {
 namespace {
 
 Skin wide_skin() {
-  const Material platinum{"platinum", 168e9, 0.38}, nafion{"nafion", 249e6, 0.49};
-  Skin skin;
-  skin.length = 8e-3;
-  skin.width = 5e-3;
-  skin.layers = {{"bottom electrode", LayerRole::electrode, platinum, 10e-6},
-                 {"core", LayerRole::core, nafion, 180e-6},
-                 {"top electrode", LayerRole::electrode, platinum, 10e-6}};
-  return skin;
+  return skin_of_size(8e-3, 5e-3);
 }
 
 constexpr std::array<double, 2> slider_centre{3e-3, 2.2e-3};

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/finite_layers/skin/layered_skin.hpp"
+#include "paper_skin.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,14 +12,7 @@ namespace ionskin::finite_layers {
 namespace {
 
 Skin long_skin() {
-  const Material platinum{"platinum", 168e9, 0.38}, nafion{"nafion", 249e6, 0.49};
-  Skin skin;
-  skin.length = 15e-3;
-  skin.width = 2e-3;
-  skin.layers = {{"bottom electrode", LayerRole::electrode, platinum, 10e-6},
-                 {"core", LayerRole::core, nafion, 180e-6},
-                 {"top electrode", LayerRole::electrode, platinum, 10e-6}};
-  return skin;
+  return skin_of_size(15e-3, 2e-3);
 }
 
 ContactGrid two_cells() {
@@ -55,8 +49,7 @@ TEST(SmoothSkin, compliance_does_not_jump_as_the_slider_moves) {
 }
 
 TEST(SmoothSkin, compliance_does_not_jump_as_the_slider_moves_across) {
-  Skin wide = long_skin();
-  wide.width = 6e-3;
+  const Skin wide = skin_of_size(15e-3, 6e-3);
   const ContactGrid grid{{-0.4e-3, 0.4e-3}, {-0.3e-3, 0.3e-3}};
   const LayeredSkin layers(wide, grid, skin_resolution(wide, {4e-3, 0.7e-3}));
   std::vector<double> across;
