@@ -7,6 +7,7 @@
 #include "ionskin/base/error.hpp"
 #include "ionskin/case/reading/read_case.hpp"
 #include "ionskin/live/training/stated_errors.hpp"
+#include "ionskin/live/training/touch_range.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>

@@ -27,7 +27,7 @@ ROOMS = {
     "planning": ["."],
     "readout": ["."],
     "results": ["hdf5", "strain_file", "."],
-    "live": ["data", "products", "contact", ".", "errors", "batch", "interface", "fmu", "reduction", "training"],
+    "live": ["data", "products", "contact", ".", "errors", "batch", "touches", "interface", "fmu", "reduction", "training"],
     "study": ["store", "metrics", "errors", "run", "impedance", "sweep", "fit"],
 }
 # header prefix -> the folders that may include it

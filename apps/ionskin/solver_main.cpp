@@ -13,10 +13,13 @@
 #include "study_verbs/trial_verbs.hpp"
 #include "terminal/terminal.hpp"
 
+#include "ionskin/base/system/free_memory.hpp"
+
 int main(int argc, char** argv) {
   using namespace ionskin::apps;
   return guarded([&]() -> int {
     require_vector_instructions();
+    ionskin::base::keep_freed_blocks();
     int exit_code = 0;
     const auto command = parse_command_line(argc, argv, exit_code);
     if (!command) {

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The reduced skin: trained by the program, stepped from Python and C, and compared with the full model."""
 
+import dataclasses
 import math
 import os
 import pathlib
@@ -11,6 +12,7 @@ import time
 import unittest
 import warnings
 
+import h5py
 import numpy
 
 import fmu_importer
@@ -278,6 +280,61 @@ class LiveTest(ProgramTest):
             self.assertIn(skin.shortfall.split(": ")[1].split(" %")[0].rsplit(" ", 1)[0], above)
         # Forces and charges of so small a case keep the promise in every event.
         self.assertFalse({name for name in above if not name.startswith("sampled_")})
+
+    def test_generates_training_data(self):
+        def generate(folder, *more):
+            return subprocess.run([PROGRAM, "generate", self.trained, "-o", self.folder / folder, "--seed", "3", *more],
+                                  capture_output=True, text=True, check=False)
+
+        whole = generate("whole", "--touches", "4", "--threads", "1", "--balance", "20")
+        self.assertEqual(whole.returncode, 0, whole.stderr)
+        self.assertRegex(whole.stdout, r"stated error of charge_top against the full model: .* % rms")
+        self.assertRegex(whole.stdout, r"4 touches, 0 failed; .* bytes a touch\nrows: .*% no contact, .*% rest, .*\nbalanced: ")
+        self.assertEqual(generate("parts", "--touches", "2", "--threads", "2").returncode, 0)
+        self.assertEqual(generate("parts", "--touches", "4", "--threads", "2", "--balance", "20", "--resume").returncode, 0)
+        self.assertEqual(*((self.folder / name / "touches.h5").read_bytes() for name in ("whole", "parts")))
+        skin = ionskin.live.Skin(self.trained)
+        with h5py.File(self.folder / "whole" / "touches.h5") as file:
+            columns = {kind: [name.decode() for name in file[f"columns/{kind}"][:]] for kind in ("signals", "labels", "kinds")}
+            self.assertEqual(columns["signals"][-2:], ["charge_top_c", "charge_top_d"])
+            touch = skin.random_touch(3, 2)
+            signals = skin.run(**touch)
+            for kind, name in (("signals", "current_top"), ("signals", "charge_top_b"), ("labels", "normal_force"),
+                               ("labels", "slider_x"), ("labels", "moment_y")):
+                stored = file[f"touch/000002/{kind}"][:, columns[kind].index(name)]
+                numpy.testing.assert_allclose(stored, signals[name], atol=1e-6 * numpy.abs(signals[name]).max(), err_msg=name)
+            self.assertFalse(signals.flags.any())
+            self.assertGreater(numpy.abs(signals["current_top"]).max(), 0)
+            for number, row, kind in file["balanced/rows"][:]:
+                self.assertEqual(file[f"touch/{number:06}/kind"][row], kind)
+                self.assertIn(columns["kinds"][kind], ("stick", "partial slip", "full slip"))
+            stated = dict(zip([tuple(map(bytes.decode, names)) for names in file["errors/names"][:]], file["errors/values"][:]))
+            self.assertEqual(tuple(stated["", "charge_top"]), dataclasses.astuple(skin.errors["charge_top"]))
+            self.assertEqual(file.attrs["skin"], skin.digest)
+            self.assertNotEqual(*(len(file[f"touch/{number:06}/labels"]) for number in (1, 2)))
+        refused = generate("refused", "--touches", "4", "--vary", "contact.friction=uniform(0.1, 0.2)")
+        self.assertEqual(refused.returncode, 2)
+        self.assertRegex(refused.stderr, "--vary: .* is a live skin.*\n  = leave the option out")
+        self.assertFalse((self.folder / "refused").exists())
+        damaged = self.folder / "damaged.live"
+        damaged.write_bytes(pathlib.Path(self.trained).read_bytes()[:-40])
+        refused = subprocess.run([PROGRAM, "generate", damaged, "-o", self.folder / "refused", "--touches", "1"],
+                                 capture_output=True, text=True, check=False)
+        self.assertEqual(refused.returncode, 2)
+        self.assertIn("damaged.live", refused.stderr)
+
+    def test_draws_touches_by_seed_and_number(self):
+        skin = ionskin.live.Skin(self.trained)
+        first, again, other = skin.random_touch(3, 2), skin.random_touch(3, 2), skin.random_touch(3, 1)
+        for name in ("times", "positions", "forces", "angles"):
+            numpy.testing.assert_array_equal(first[name], again[name])
+        self.assertNotEqual(len(first["times"]), len(other["times"]))
+        numpy.testing.assert_allclose(numpy.diff(first["times"]), 1e-3)
+        self.assertEqual((first["forces"][0], first["forces"][-1]), (0, 0))
+        self.assertGreaterEqual(first["forces"].max(), 0.15 * skin.range.force)
+        self.assertLessEqual(first["forces"].max(), skin.range.force)
+        with self.assertRaisesRegex(ValueError, "interval: 0 s is not above 0"):
+            skin.random_touch(interval=0)
 
     def test_knows_where_its_taxels_are(self):
         skin = ionskin.live.Skin(self.trained)

@@ -12,6 +12,7 @@ import ionskin
 from ionskin.evaluation import Outcome
 from ionskin.generation import Touches
 from ionskin.generation.__main__ import announcement
+from ionskin.generation.rows import KINDS, RowChoice, kinds
 from ionskin.generation.store import COLUMNS, SIGNALS, tables, taxel_signals, unit_of
 from package import CASES, PROGRAM, PackageTest, small_case
 
@@ -91,6 +92,34 @@ class Generation(PackageTest):
         self.assertEqual(signals.shape[1], len(SIGNALS) + 8)
         self.assertGreater(numpy.abs(signals[:, len(SIGNALS)]).max(), 0)
         self.assertFalse(signals[:, len(SIGNALS) + 2].any())
+
+    def test_kinds_of_rows(self):
+        columns = ("touching", "slider_speed", "stick_share")
+        labels = numpy.array([[0, 0, 0], [0, 1e-3, 0], [1, 0, 0], [1, 1e-3, 1], [1, 1e-3, 0.5], [1, 1e-3, 0]])
+        self.assertEqual([KINDS[i] for i in kinds(labels, columns)],
+                         ["no contact", "no contact", "rest", "stick", "partial slip", "full slip"])
+
+    def test_a_balanced_choice_of_rows(self):
+        generator = numpy.random.default_rng(5)
+        touches = [generator.choice(len(KINDS), 400, p=[0.3, 0.1, 0.05, 0.15, 0.4]).astype(numpy.uint8) for _ in range(50)]
+
+        def chosen(most, seed=1):
+            choice = RowChoice(most, seed)
+            for number, kind in enumerate(touches):
+                choice.add(number, kind)
+            self.assertEqual(sum(choice.counts.values()), 50 * 400)
+            return choice.chosen()
+
+        rows = chosen(300)
+        self.assertEqual(numpy.bincount(rows[:, 2]).tolist(), [0, 0, 300, 300, 300])
+        self.assertEqual(len({tuple(row) for row in rows[:, :2].tolist()}), 900)
+        for touch, row, kind in rows:
+            self.assertEqual(touches[touch][row], kind)
+        self.assertEqual(len(numpy.unique(rows[rows[:, 2] == 4, 0])), 50)  # of all touches, not of the first
+        numpy.testing.assert_array_equal(rows, chosen(300))
+        self.assertFalse(numpy.array_equal(rows, chosen(300, seed=2)))
+        rarest = sum(int((kind == 2).sum()) for kind in touches)
+        self.assertEqual(len(chosen(100000)), 3 * rarest)
 
     def test_equal_stores(self):
         subprocess.run([sys.executable, CASES / "make_strain.py", self.folder / "strain.h5"], check=True)

@@ -96,12 +96,21 @@ void add_generate(CLI::App& app, Command& command) {
   auto options = std::make_shared<GenerateOptions>();
   CLI::App* verb = app.add_subcommand(
       "generate",
-      "Training data: many random touches, their signals at 1 kHz and labels, in one HDF5 file");
+      "Training data: many random touches of a case or of a live skin, their signals at 1 kHz and "
+      "labels, in one HDF5 file");
   add_trial_options(*verb, *options);
+  verb->get_option("case")
+      ->description("Case file, or the file of a live skin")
+      ->type_name("CASE.toml|SKIN.live");
   verb->add_option("--touches", options->touches, "Number of touches")
       ->required()
       ->check(CLI::Range(1, 1000000));
   add_vary_option(*verb, options->vary, false);
+  verb->add_option("--balance", options->balance,
+                   "Choose at random so many rows each in which all sticks, part slips and all "
+                   "slips while the slider moves, as indices in the file")
+      ->check(CLI::Range(1, 100000000))
+      ->type_name("ROWS");
   verb->add_option("--seed", options->seed, "Seed of the touches")
       ->check(CLI::Range(0, 2147483647))
       ->capture_default_str();

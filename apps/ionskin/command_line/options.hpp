@@ -119,6 +119,7 @@ struct GenerateOptions : TrialOptions {
   /// "KEY=DISTRIBUTION", beside the random finger and its motion, or in place of them.
   std::vector<std::string> vary;
   std::size_t touches = 0; ///< number of touches
+  std::size_t balance = 0; ///< rows of each kind of moving contact to choose at most; 0 for none
   std::uint64_t seed = 1;
 };
 

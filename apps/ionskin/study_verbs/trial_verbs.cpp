@@ -18,7 +18,7 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(UncertaintyOptions, vary, samples, design, se
                                    least_q2)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(DesignOptions, free, subject_to, maximise, minimise, budget,
                                    seed)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(GenerateOptions, vary, touches, seed)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(GenerateOptions, vary, touches, balance, seed)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(MotionOptions, recordings, output, columns, origin, x_axis,
                                    y_axis, tool, force_in, level, contact_force, gap, rate, filter,
                                    tare, angles, overwrite, quiet)

@@ -72,13 +72,18 @@ class StudyFolder:
 
         Raises CaseError where an outcome is not an ordinary file.
         """
-        found = {}
+        return dict(self._each_finished())
+
+    def finished_numbers(self) -> set[int]:
+        """Numbers of the trials in `finished`, whose outcomes are read one at a time."""
+        return {number for number, _ in self._each_finished()}
+
+    def _each_finished(self):
         for path in sorted(path for path in self._points.iterdir() if OUTCOME.fullmatch(path.name)):
             _require_ordinary(path)
             outcome = Outcome.read(path)
             if outcome is not None and not outcome.reason:
-                found[int(path.stem)] = outcome
-        return found
+                yield int(path.stem), outcome
 
     def write(self, name: str, content) -> None:
         """Writes a file of the folder: `content` if it is a text, else its JSON."""

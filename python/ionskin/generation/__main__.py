@@ -1,34 +1,36 @@
 # SPDX-License-Identifier: Apache-2.0
 """The command `ionskin generate`."""
 
+import os
 import sys
 import time
+import warnings
 
+from .. import solver
+from ..errors import CaseError
 from ..evaluation import StudyFolder
 from ..evaluation.command import SOLVER_GAVE_UP, Progress, base_case, engine, given_options, guarded, require_disk
+from ..live import Skin
 from . import store
-from .touches import Touches
+from .live_touches import LiveEngine, LiveTouches, is_live_skin
+from .rows import MOVING
+from .touches import RATE, Touches
 
 FIXED = ("motion.direction", "motion.touchdown", "motion.slide", "motion.lift")  # told by name where they do not vary
+TOLD = ("normal_force", "charge_top", "current_top")  # whose stated errors are told
 
 
 def main() -> int:
     """Runs the command line of `ionskin generate` and returns the exit code."""
     arguments = given_options()
-    case = base_case(arguments)
-    touches = Touches(case, arguments.touches, seed=arguments.seed, vary=arguments.vary)
-    runner = engine(arguments)
-    require_disk(touches.trials, len(touches.trials), arguments.output, runner)
-    varying = {one.key: one.written for one in touches.parameters}
-    kept = StudyFolder(arguments.output, {"study": "generate", "case": touches.case.text, "vary": varying,
-                                          "seed": arguments.seed, "touches": arguments.touches},
-                       resume=arguments.resume, overwrite=arguments.overwrite, free=("touches",))
-    kept.write("case.toml", touches.case.text)
+    touches, runner, lines = (of_live_skin if is_live_skin(arguments.case_path) else of_case)(arguments)
+    question = {"study": "generate", **touches.identity, "vary": {one.key: one.written for one in touches.parameters},
+                "seed": arguments.seed, "touches": arguments.touches}
+    kept = StudyFolder(arguments.output, question, resume=arguments.resume, overwrite=arguments.overwrite, free=("touches",))
+    kept.write("case.toml", touches.identity["case"])
     if not arguments.quiet:
-        print("\n".join(announcement(touches, arguments.output)))
-        if touches.redrawn:
-            print(f"{touches.redrawn} draws made no valid case and were drawn again")
-    finished = kept.finished()
+        print("\n".join(lines), flush=True)
+    finished = kept.finished_numbers()
     asked = [trial for trial in touches.trials if trial.number not in finished]
     progress, failed = Progress(len(asked), arguments.quiet, runner), []
 
@@ -38,15 +40,56 @@ def main() -> int:
             failed.append(outcome.reason)
 
     begin = time.monotonic()
-    runner.evaluate(case, asked, kept.points, on_result)
+    runner.evaluate(None, asked, kept.points, on_result)
     seconds = time.monotonic() - begin
-    size = store.write(kept.folder / "touches.h5", touches, kept.points,
-                       {"case": touches.case.text, "seed": arguments.seed, "made_by": "ionskin generate"})
+    size, choice = store.write(kept.folder / "touches.h5", touches, kept.points, balance=arguments.balance)
     if not arguments.quiet:
         rate = f"{len(asked) / seconds:.3g} touches a second, " if asked else ""
         print(f"{len(touches.trials)} touches, {len(failed)} failed; {rate}{size / len(touches.trials):.0f} bytes a touch")
+        print("\n".join(of_rows(choice, arguments.balance)))
         print(f"store: {arguments.output}/touches.h5")
     return SOLVER_GAVE_UP if len(failed) == len(touches.trials) else 0
+
+
+def of_case(arguments):
+    """Touches of a case, the engine that runs them, and lines of text to print before."""
+    touches = Touches(base_case(arguments), arguments.touches, seed=arguments.seed, vary=arguments.vary)
+    runner = engine(arguments)
+    require_disk(touches.trials, len(touches.trials), arguments.output, runner)
+    lines = announcement(touches, arguments.output)
+    if touches.redrawn:
+        lines.append(f"{touches.redrawn} draws made no valid case and were drawn again")
+    return touches, runner, lines
+
+
+def of_live_skin(arguments):
+    """Touches of a live skin, the engine that steps them, and lines of text to print before."""
+    for option, given in (("--set", arguments.set_edits), ("--vary", arguments.vary), ("--on", arguments.on)):
+        if given:
+            raise CaseError(f"{option}: {arguments.case_path} is a live skin: its case is fixed, and it is stepped on this machine\n"
+                            "  = leave the option out, or train another skin: the motion of the case says the range of places, "
+                            "forces and speeds, ionskin live --friction LOW HIGH that of friction")
+    with warnings.catch_warnings(record=True) as warned:
+        warnings.simplefilter("always")
+        skin = Skin(arguments.case_path)
+    touches = LiveTouches(skin, arguments.touches, seed=arguments.seed, interval=1 / RATE)
+    solver.load().require_disk(touches.size(), os.fsencode(arguments.output))
+    return touches, LiveEngine(touches, arguments.threads), [f"warning: {one.message}" for one in warned] + live_announcement(touches)
+
+
+def of_rows(choice, asked: int) -> list[str]:
+    """Lines of text on the rows of a store: how many there are of each kind, and how many were chosen of each.
+
+    choice  RowChoice
+    asked   number of rows of each kind that were asked for; 0: none
+    """
+    total = max(1, sum(choice.counts.values()))
+    lines = ["rows: " + ", ".join(f"{100 * count / total:.2g} % {kind}" for kind, count in choice.counts.items())]
+    if asked:
+        each, rarest = len(choice.chosen()) // len(MOVING), min(MOVING, key=choice.counts.get)
+        lines.append(f"balanced: {each} rows each of {', '.join(MOVING)}"
+                     + (f"; there are no more of {rarest}" if each < asked else ""))
+    return lines
 
 
 def announcement(touches: Touches, folder: str) -> list[str]:
@@ -63,6 +106,24 @@ def announcement(touches: Touches, folder: str) -> list[str]:
     lines.append('to vary more keys, or more widely: --vary "KEY=DISTRIBUTION", such as --vary "motion.slide=uniform(0.5 s, 2 s)"')
     lines.append(f"no errors are stated for these touches (preset {case['numerics.preset']}); the run of the case itself states them: "
                  f"ionskin run {folder}/case.toml -o OUT")
+    lines.append("more touches in the same time, of varied motions and with stated errors: ionskin live CASE.toml -o SKIN.live, "
+                 "then ionskin generate SKIN.live")
+    return lines
+
+
+def live_announcement(touches: LiveTouches) -> list[str]:
+    """Lines of text, printed before the touches of a live skin are stepped: what varies, and the stated errors."""
+    trained = touches.skin.range
+    (x, y), (far_x, far_y) = trained.lowest, trained.highest
+    lines = [f"{one.key} = {one.written}" for one in touches.parameters]
+    lines += [f"x from {1e3 * x:g} to {1e3 * far_x:g} mm, y from {1e3 * y:g} to {1e3 * far_y:g} mm, forces up to {trained.force:.3g} N, "
+              f"speeds up to {1e3 * trained.speed:.3g} mm/s",
+              "each touch lands, slides, rests, changes its force and lifts off, at random (docs/training-data.md)"]
+    for name in TOLD:
+        one = touches.skin.errors.get(name)
+        if one and one.largest > 0:
+            lines.append(f"stated error of {name} against the full model: {100 * one.rms / one.largest:.2g} % rms, "
+                         f"{100 * one.worst / one.largest:.2g} % at most, of its largest value")
     return lines
 
 

@@ -43,9 +43,12 @@ class Touches:
     vary     distributions, as for Uncertainty; keys that it does not name vary as `usual` says
     trials   list of Trial; the values of touch i depend only on the seed and i
     redrawn  number of draws that made no valid case and were repeated
+    errors   (), as the engine states none
 
     Raises CaseError when an argument is wrong or a touch finds no valid case.
     """
+
+    errors = ()
 
     def __init__(self, case: Case, count: int, *, seed: int = 1, vary=()) -> None:
         if count < 1:
@@ -64,6 +67,11 @@ class Touches:
             raise CaseError('nothing varies in this case\n  = give --vary "KEY=DISTRIBUTION"')
         self.parameters.sort(key=lambda one: one.key)
         self.trials = [self._touch(number) for number in range(count)]
+
+    @property
+    def identity(self) -> dict:
+        """Text of the case, as a dict; equal touches have an equal one."""
+        return {"case": self.case.text}
 
     def _touch(self, number: int) -> Trial:
         last = None

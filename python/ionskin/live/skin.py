@@ -13,7 +13,7 @@ import numpy
 
 from ..errors import CaseError
 from .checks import finite, one_load, require_ascending_times, require_turns
-from .library import load, pointer
+from .library import TOUCH_ROWS, load, pointer
 from .signals import LiveSkinWarning, Range, SignalError, Signals
 
 
@@ -69,6 +69,11 @@ class Skin:
     def command(self) -> str:
         """Command that trained the skin."""
         return self._library.ionskin_live_text(self._handle, b"command").decode()
+
+    @property
+    def digest(self) -> str:
+        """Digest of the file, which two files share only if they are the same."""
+        return self._digest.decode()
 
     @property
     def range(self) -> Range:
@@ -249,6 +254,30 @@ class Skin:
                                                  flags.ctypes.data_as(ctypes.POINTER(ctypes.c_uint32)))
             self._time, self._stepped = float(times[-1]), True
         return Signals(self._columns, signals, flags)
+
+    def random_touch(self, seed: int = 1, number: int = 0, interval: float = 1e-3) -> dict[str, numpy.ndarray]:
+        """Draws a random touch within the trained range, such as those of which `errors` states the errors: the slider waits
+        above the skin, lands, slides and rests in turn, turns back, changes its force, lifts off and waits. docs/training-data.md
+        says how its pieces are distributed.
+
+        seed      whole number from 0 on
+        number    number of the touch, from 0 on; a touch depends on the seed and its number alone
+        interval  time between two steps [s]; steps of more than a millisecond cut corners of the touch
+
+        Returns the arguments of `run` as a dict: times [step] [s] from one interval on, positions [step, 2] [m], forces [step] [N],
+        0 without contact, angles [step, 3] [rad]. Raises ValueError for an interval that is not above 0.
+        """
+        if not finite("interval", interval, ()) > 0:
+            raise ValueError(f"interval: {interval:g} s is not above 0")
+        mixed = int(numpy.random.SeedSequence([seed, number]).generate_state(1, numpy.uint64)[0])
+        rows = numpy.empty((TOUCH_ROWS, 7))
+        count = self._library.ionskin_live_random_touch(self._handle, mixed, pointer(rows))
+        if not count:
+            raise MemoryError("no memory for a touch")
+        corners = rows[:count].T
+        times = interval * numpy.arange(1, int(numpy.floor(corners[0, -1] / interval * (1 + 1e-12))) + 1)
+        x, y, forces, *angles = (numpy.interp(times, corners[0], column) for column in corners[1:])
+        return {"times": times, "positions": numpy.column_stack([x, y]), "forces": forces, "angles": numpy.column_stack(angles)}
 
     def play(self, path: str | os.PathLike, times: Sequence[float], positions, *, heights=None, forces=None) -> Signals:
         """Makes steps as `run` does, returns their signals, and writes an HTML page that plays them in a browser without

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <stdexcept>
@@ -43,6 +44,27 @@ TEST_F(LiveController, TakesNoMemoryInTheLoop) {
   }
   skin.reset();
   EXPECT_EQ(allocations() - before, 0u);
+}
+
+TEST_F(LiveController, DrawsTouchesWithinTheTrainedRange) {
+  ionskin_live::Skin skin(path);
+  double rows[IONSKIN_LIVE_TOUCH_ROWS][7], again[IONSKIN_LIVE_TOUCH_ROWS][7], range[7];
+  ionskin_live_range(skin.handle(), range);
+  const std::size_t count = ionskin_live_random_touch(skin.handle(), 3, rows[0]);
+  ASSERT_GE(count, 7u);
+  double heaviest = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    EXPECT_EQ(rows[i][3] == 0, i < 2 || i + 2 >= count) << i;
+    EXPECT_GE(rows[i][1], range[0]);
+    EXPECT_LE(rows[i][1], range[2]);
+    heaviest = std::max(heaviest, rows[i][3]);
+  }
+  EXPECT_LE(heaviest, range[4]);
+  EXPECT_GE(heaviest, 0.15 * range[4]);
+  ASSERT_EQ(ionskin_live_random_touch(skin.handle(), 3, again[0]), count);
+  EXPECT_TRUE(std::equal(rows[0], rows[count], again[0]));
+  ionskin_live_random_touch(skin.handle(), 4, again[0]);
+  EXPECT_FALSE(std::equal(rows[0], rows[7], again[0]));
 }
 
 TEST_F(LiveController, CopiesGoOnByThemselves) {

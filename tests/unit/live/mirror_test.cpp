@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/live/skin.hpp"
-#include "ionskin/live/training/random_numbers.hpp"
+#include "ionskin/live/touches/random_numbers.hpp"
 #include "small_skin.hpp"
 
 #include <gtest/gtest.h>

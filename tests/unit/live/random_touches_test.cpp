@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ionskin/live/training/random_touches.hpp"
+#include "ionskin/live/touches/random_touches.hpp"
 #include "ionskin/live/training/stated_errors.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 namespace ionskin::live {
 namespace {
@@ -125,6 +126,31 @@ TEST(RandomTouches, StepTheLoadInARestAndLandInAMillisecondAsInATenth) {
   EXPECT_NEAR(slowest_step, 10e-3, 2e-3);
   EXPECT_LT(fastest_landing, 3.5e-3);
   EXPECT_NEAR(slowest_landing, 0.1, 0.02);
+}
+
+TEST(RandomTouches, OneAloneWaitsStrokesRestsAndWaits) {
+  const TouchRange pressed{range.box, true, 2, range.fastest};
+  for (std::uint64_t seed = 0; seed < 200; ++seed) {
+    const auto rows = random_touch(pressed, seed).waypoints;
+    ASSERT_GE(rows.size(), 7u); // landing, stroke, rest with a load step, lift-off, and the waits
+    EXPECT_LE(rows.size(), 16u);
+    EXPECT_EQ(rows[0].time, 0);
+    EXPECT_GE(rows[1].time, 0.2);
+    EXPECT_EQ(landings(random_touch(pressed, seed)).size(), 1u);
+    for (const std::size_t outside : {std::size_t{0}, std::size_t{1}, rows.size() - 1}) {
+      EXPECT_FALSE(rows[outside].force);
+      EXPECT_GT(*rows[outside].height, 0);
+    }
+    for (const Waypoint& row : rows) {
+      EXPECT_LE(row.force.value_or(0), pressed.heaviest);
+      EXPECT_GE(row.position[0], range.box.low[0]);
+      EXPECT_LE(row.position[0], range.box.high[0]);
+    }
+  }
+  EXPECT_EQ(random_touch(pressed, 5).waypoints.back().time,
+            random_touch(pressed, 5).waypoints.back().time);
+  EXPECT_NE(random_touch(pressed, 5).waypoints[1].position,
+            random_touch(pressed, 6).waypoints[1].position);
 }
 
 TEST(StatedErrors, AreAQuarterMoreThanTheLargestOfAnyTouch) {

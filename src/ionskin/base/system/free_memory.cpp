@@ -15,4 +15,12 @@ void return_free_memory() {
 #endif
 }
 
+void keep_freed_blocks() {
+#if defined(__GLIBC__)
+  constexpr int largest_kept = 4 << 20, kept_at_the_top = 4 * largest_kept; // bytes
+  mallopt(M_MMAP_THRESHOLD, largest_kept);
+  mallopt(M_TRIM_THRESHOLD, kept_at_the_top);
+#endif
+}
+
 } // namespace ionskin::base

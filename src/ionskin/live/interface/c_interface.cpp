@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/live/interface/c_skin.hpp"
 
+#include "ionskin/live/touches/random_touches.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -86,6 +88,34 @@ void ionskin_live_run(ionskin_live_skin* skin, size_t count, const double* times
   for (size_t i = 0; i < count; ++i) {
     flags[i] = ionskin_live_step(skin, times[i], positions[2 * i], positions[2 * i + 1], kind,
                                  values[i], signals + i * skin->skin.names().size());
+  }
+}
+
+size_t ionskin_live_random_touch(const ionskin_live_skin* skin, uint64_t seed, double* waypoints) {
+  try {
+    const ionskin::live::SkinData& data = *skin->data;
+    const ionskin::live::TouchRange range{{data.lowest_place, data.highest_place},
+                                          true,
+                                          data.heaviest_force,
+                                          data.fastest,
+                                          data.steepest,
+                                          data.fastest_turn};
+    const ionskin::Motion motion = ionskin::live::random_touch(range, seed);
+    const size_t rows = std::min<size_t>(motion.waypoints.size(), IONSKIN_LIVE_TOUCH_ROWS);
+    for (size_t i = 0; i < rows; ++i) {
+      const ionskin::Waypoint& at = motion.waypoints[i];
+      const double values[7]{at.time,
+                             at.position[0],
+                             at.position[1],
+                             at.force.value_or(0),
+                             at.roll.value_or(0),
+                             at.pitch.value_or(0),
+                             at.yaw.value_or(0)};
+      std::ranges::copy(values, waypoints + 7 * i);
+    }
+    return rows;
+  } catch (const std::bad_alloc&) {
+    return 0;
   }
 }
 

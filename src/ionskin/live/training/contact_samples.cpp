@@ -4,7 +4,7 @@
 #include "ionskin/base/system/interrupt.hpp"
 #include "ionskin/live/contact/live_contact.hpp"
 #include "ionskin/live/data/slope_table.hpp"
-#include "ionskin/live/training/random_numbers.hpp"
+#include "ionskin/live/touches/random_numbers.hpp"
 
 #include <algorithm>
 #include <cmath>

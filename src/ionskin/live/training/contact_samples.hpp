@@ -2,7 +2,7 @@
 #pragma once
 
 #include "ionskin/live/data/skin_data.hpp"
-#include "ionskin/live/training/random_touches.hpp"
+#include "ionskin/live/touches/random_touches.hpp"
 
 #include <cstddef>
 #include <cstdint>

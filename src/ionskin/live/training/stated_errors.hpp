@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "ionskin/live/training/random_touches.hpp"
+#include "ionskin/live/touches/random_touches.hpp"
 #include "ionskin/live/training/validation.hpp"
 
 #include <cstddef>

@@ -4,7 +4,7 @@
 #include "ionskin/base/value_at.hpp"
 #include "ionskin/handover/contact_timeline.hpp"
 #include "ionskin/live/skin.hpp"
-#include "ionskin/live/training/random_touches.hpp"
+#include "ionskin/live/touches/random_touches.hpp"
 #include "ionskin/live/training/touch_events.hpp"
 #include "ionskin/readout/charge_relaxation.hpp"
 

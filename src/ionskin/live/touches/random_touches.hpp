@@ -24,10 +24,6 @@ struct TouchRange {
   bool poses() const { return steepest > 0 || fastest_turn > 0; }
 };
 
-/// Takes the range of positions, loads and speeds from the motion of a case; no tilt and no
-/// rotation. Throws UserError where the slider never touches.
-TouchRange touch_range(const Case& input);
-
 /// Generates a motion of random touches, one after the other, as waypoints at whole milliseconds:
 /// landing anywhere in the range, strokes, reversals, rests and changes of load at any speed in it,
 /// lift-off. Landings, lift-offs and load steps last from a millisecond on. Each touch has at least
@@ -37,6 +33,10 @@ TouchRange touch_range(const Case& input);
 /// ends with the steepest tilts to all four sides where tilts are trained, so that no later touch
 /// outgrows the contact cells. Angles change during strokes.
 Motion random_touches(const TouchRange& range, std::size_t count, std::uint64_t seed);
+
+/// Generates the motion of a single touch, drawn as those of `random_touches` behind the first: the
+/// slider waits above the place where it lands, and ends with such a wait.
+Motion random_touch(const TouchRange& range, std::uint64_t seed);
 
 /// Instants at which the slider begins to come down, one for each touch of such a motion [s].
 std::vector<double> landings(const Motion& motion);

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ionskin/live/training/random_touches.hpp"
+#include "ionskin/live/touches/random_touches.hpp"
 
-#include "ionskin/base/error.hpp"
-#include "ionskin/live/training/random_numbers.hpp"
-#include "ionskin/mechanics/path/contact_box.hpp"
+#include "ionskin/live/touches/random_numbers.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -23,9 +21,8 @@ constexpr double least_load = 0.15;  ///< smallest load of a touch over the heav
 constexpr double least_speed = 0.1;  ///< smallest speed of a stroke over the fastest one [1]
 /// Shortest and longest duration of a landing or a lift-off [s]: from a step of a loop on.
 constexpr double fastest_landing = 1e-3, slowest_landing = 0.1;
-constexpr double pause = 0.2;        ///< duration between touches [s]
-constexpr double usual_speed = 3e-3; ///< speed for a case whose slider never slides [m/s]
-constexpr double rest_share = 0.25;  ///< probability of a rest where a touch may have either [1]
+constexpr double pause = 0.2;       ///< duration between touches [s]
+constexpr double rest_share = 0.25; ///< probability of a rest where a touch may have either [1]
 /// Probability that a stroke after another stroke goes back along it [1].
 constexpr double turning_back_share = 0.3;
 constexpr double shortest_rest = 0.1, longest_rest = 0.5; ///< durations of a rest [s]
@@ -49,7 +46,7 @@ double duration_between(Random& random, double shortest, double longest) {
 /// Motion of the slider, built one waypoint after the other.
 class Path {
 public:
-  explicit Path(const TouchRange& range) : range_(range) {}
+  explicit Path(const TouchRange& range) : range_(range) { motion.kind = MotionKind::waypoints; }
 
   /// Adds a waypoint above the skin, some time after the last one [s].
   void detached(double wait, const std::array<double, 2>& place) {
@@ -86,34 +83,120 @@ private:
   double time_ = 0; ///< [ms]
 };
 
-} // namespace
+/// Draws touches within a range, one after the other.
+class RandomPath {
+public:
+  RandomPath(const TouchRange& range, std::uint64_t seed)
+      : range_(range), random_(seed), of_load_steps_(~seed), path_(range) {}
 
-TouchRange touch_range(const Case& input) {
-  const auto box = mechanics::contact_box(input);
-  if (!box) {
-    throw UserError("the slider never touches the skin: there is nothing to train\n"
-                    "  = lower the slider, such as by a larger motion.preload");
-  }
-  TouchRange range{*box, false, 0, 0};
-  for (const MotionLeg& leg : motion_legs(input.motion, input.slider)) {
-    for (const SliderLevel& level : {leg.from_level, leg.to_level}) {
-      if (level.touches() && level.is_force != range.is_force) {
-        range.is_force = level.is_force; // a force takes precedence over a height
-        range.heaviest = 0;
-      }
-      if (level.touches() && level.is_force == range.is_force) {
-        range.heaviest = std::max(range.heaviest, std::abs(level.value));
+  /// Goes from corner to corner along the diagonal, which spans the range, under the heaviest load.
+  void through_the_corners() {
+    const std::array<double, 2>&low = range_.box.low, &high = range_.box.high;
+    path_.detached(0, low);
+    path_.pressed(0.5, low, range_.heaviest);
+    const double way = std::hypot(high[0] - low[0], high[1] - low[1]);
+    if (way > 0) {
+      path_.pressed(way / range_.fastest, high, range_.heaviest);
+    }
+    if (range_.steepest > 0) {
+      for (const auto& [roll, pitch] : {std::pair{1, 0}, {0, 1}, {-1, 0}, {0, -1}, {0, 0}}) {
+        path_.pose = {roll * range_.steepest, pitch * range_.steepest, 0};
+        path_.pressed(tilting, high, range_.heaviest);
       }
     }
-    if (leg.slides()) {
-      range.fastest = std::max(range.fastest, leg.length() / leg.duration);
+    path_.detached(0.5, high);
+  }
+
+  /// Waits above the skin, lands, makes strokes and rests, and lifts off.
+  void touch() {
+    std::array<double, 2> at = place();
+    if (range_.steepest > 0) {
+      tilt();
+    }
+    if (path_.motion.waypoints.empty()) {
+      path_.detached(0, at);
+    }
+    path_.detached(pause, at);
+    double load = range_.heaviest * random_.between(least_load, 1);
+    path_.pressed(duration_between(random_, fastest_landing, slowest_landing), at, load);
+    const int pieces = static_cast<int>(random_.between(fewest_pieces, most_pieces + 1));
+    const int rest = static_cast<int>(random_.between(0, pieces)),
+              stroke = (rest + static_cast<int>(random_.between(1, pieces))) % pieces;
+    std::array<double, 2> from = at; // start of the last piece
+    for (int piece = 0; piece < pieces; ++piece) {
+      if (piece == rest || (piece != stroke && random_.between(0, 1) < rest_share)) {
+        path_.pressed(random_.between(shortest_rest, longest_rest), at, load);
+        if (piece == rest) {
+          load = load_step(at);
+        }
+        from = at;
+      } else {
+        std::array<double, 2> to = place();
+        if (from != at && random_.between(0, 1) < turning_back_share) {
+          const double back = random_.between(shortest_reversal, 1);
+          to = {std::lerp(at[0], from[0], back), std::lerp(at[1], from[1], back)};
+        }
+        from = at;
+        load =
+            random_.between(0, 1) < 0.5 ? load : range_.heaviest * random_.between(least_load, 1);
+        if (range_.poses() && piece != stroke && random_.between(0, 1) < in_place_share) {
+          to = at;
+        }
+        const double stroke_duration = duration(at, to);
+        pose(stroke_duration);
+        path_.pressed(stroke_duration, to, load);
+        at = to;
+      }
+    }
+    path_.detached(duration_between(random_, fastest_landing, slowest_landing), at);
+  }
+
+  /// The motion so far, ended by a pause above the skin.
+  Motion ended() {
+    path_.detached(pause, path_.motion.waypoints.back().position);
+    return path_.motion;
+  }
+
+private:
+  std::array<double, 2> place() {
+    const double x = random_.between(range_.box.low[0], range_.box.high[0]);
+    return {x, random_.between(range_.box.low[1], range_.box.high[1])};
+  }
+  /// Draws the duration of a stroke [s].
+  double duration(const std::array<double, 2>& from, const std::array<double, 2>& to) {
+    const double way = std::hypot(to[0] - from[0], to[1] - from[1]);
+    return std::max(0.05, way / (range_.fastest * random_.between(least_speed, 1)));
+  }
+  void tilt() {
+    const double share = range_.steepest * std::sqrt(random_.between(0, 1)),
+                 towards = random_.between(0, 2 * std::numbers::pi);
+    path_.pose.roll = share * std::cos(towards);
+    path_.pose.pitch = share * std::sin(towards);
+  }
+  /// Draws the pose at the end of a stroke of some duration [s]; no random numbers are used for
+  /// angles that are not trained.
+  void pose(double duration) {
+    if (range_.steepest > 0 && random_.between(0, 1) < posing_share) {
+      tilt();
+    }
+    if (range_.fastest_turn > 0 && random_.between(0, 1) < posing_share) {
+      path_.pose.yaw += range_.fastest_turn * duration * random_.between(-1, 1);
     }
   }
-  if (range.fastest == 0) {
-    range.fastest = usual_speed;
+  /// Steps the load in a rest at a place, and returns the new load.
+  double load_step(const std::array<double, 2>& at) {
+    const double load = range_.heaviest * of_load_steps_.between(least_load, 1);
+    path_.pressed(duration_between(of_load_steps_, fastest_load_step, slowest_load_step), at, load);
+    path_.pressed(of_load_steps_.between(shortest_settling, longest_settling), at, load);
+    return load;
   }
-  return range;
-}
+
+  const TouchRange& range_;
+  Random random_, of_load_steps_; ///< load steps are drawn apart: the rest is that without them
+  Path path_;
+};
+
+} // namespace
 
 std::vector<double> landings(const Motion& motion) {
   std::vector<double> times;
@@ -168,93 +251,18 @@ Motion with_rows_behind_corners(const Motion& motion) {
 }
 
 Motion random_touches(const TouchRange& range, std::size_t count, std::uint64_t seed) {
-  // Load steps are drawn apart, so that the rest of the motion is that without them.
-  Random random(seed), of_load_steps(~seed);
-  Path path(range);
-  path.motion.kind = MotionKind::waypoints;
-  const std::array<double, 2>& low = range.box.low;
-  const std::array<double, 2>& high = range.box.high;
-  const auto place = [&]() -> std::array<double, 2> {
-    const double x = random.between(low[0], high[0]);
-    return {x, random.between(low[1], high[1])};
-  };
-  const auto wait_between = [&](const std::array<double, 2>& a, const std::array<double, 2>& b) {
-    const double way = std::hypot(b[0] - a[0], b[1] - a[1]);
-    return std::max(0.05, way / (range.fastest * random.between(least_speed, 1)));
-  };
-  const auto tilt = [&] {
-    const double share = range.steepest * std::sqrt(random.between(0, 1)),
-                 towards = random.between(0, 2 * std::numbers::pi);
-    path.pose.roll = share * std::cos(towards);
-    path.pose.pitch = share * std::sin(towards);
-  };
-  // Draws the pose at the end of a stroke of a given duration; no random numbers are used for
-  // angles that are not trained.
-  const auto pose = [&](double duration) {
-    if (range.steepest > 0 && random.between(0, 1) < posing_share) {
-      tilt();
-    }
-    if (range.fastest_turn > 0 && random.between(0, 1) < posing_share) {
-      path.pose.yaw += range.fastest_turn * duration * random.between(-1, 1);
-    }
-  };
-  // The path goes from corner to corner along the diagonal, which spans the range.
-  path.detached(0, low);
-  path.pressed(0.5, low, range.heaviest);
-  const double way = std::hypot(high[0] - low[0], high[1] - low[1]);
-  if (way > 0) {
-    path.pressed(way / range.fastest, high, range.heaviest);
-  }
-  if (range.steepest > 0) {
-    for (const auto& [roll, pitch] : {std::pair{1, 0}, {0, 1}, {-1, 0}, {0, -1}, {0, 0}}) {
-      path.pose = {roll * range.steepest, pitch * range.steepest, 0};
-      path.pressed(tilting, high, range.heaviest);
-    }
-  }
-  path.detached(0.5, high);
+  RandomPath path(range, seed);
+  path.through_the_corners();
   for (std::size_t touch = 1; touch < count; ++touch) {
-    std::array<double, 2> at = place();
-    if (range.steepest > 0) {
-      tilt();
-    }
-    path.detached(pause, at);
-    double load = range.heaviest * random.between(least_load, 1);
-    path.pressed(duration_between(random, fastest_landing, slowest_landing), at, load);
-    const int pieces = static_cast<int>(random.between(fewest_pieces, most_pieces + 1));
-    const int rest = static_cast<int>(random.between(0, pieces)),
-              stroke = (rest + static_cast<int>(random.between(1, pieces))) % pieces;
-    std::array<double, 2> from = at; // start of the last piece
-    for (int piece = 0; piece < pieces; ++piece) {
-      if (piece == rest || (piece != stroke && random.between(0, 1) < rest_share)) {
-        path.pressed(random.between(shortest_rest, longest_rest), at, load);
-        if (piece == rest) {
-          load = range.heaviest * of_load_steps.between(least_load, 1);
-          path.pressed(duration_between(of_load_steps, fastest_load_step, slowest_load_step), at,
-                       load);
-          path.pressed(of_load_steps.between(shortest_settling, longest_settling), at, load);
-        }
-        from = at;
-      } else {
-        std::array<double, 2> to = place();
-        if (from != at && random.between(0, 1) < turning_back_share) {
-          const double back = random.between(shortest_reversal, 1);
-          to = {std::lerp(at[0], from[0], back), std::lerp(at[1], from[1], back)};
-        }
-        from = at;
-        load = random.between(0, 1) < 0.5 ? load : range.heaviest * random.between(least_load, 1);
-        if (range.poses() && piece != stroke && random.between(0, 1) < in_place_share) {
-          to = at;
-        }
-        const double wait = wait_between(at, to);
-        pose(wait);
-        path.pressed(wait, to, load);
-        at = to;
-      }
-    }
-    path.detached(duration_between(random, fastest_landing, slowest_landing), at);
+    path.touch();
   }
-  path.detached(pause, path.motion.waypoints.back().position);
-  return path.motion;
+  return path.ended();
+}
+
+Motion random_touch(const TouchRange& range, std::uint64_t seed) {
+  RandomPath path(range, seed);
+  path.touch();
+  return path.ended();
 }
 
 } // namespace ionskin::live
