@@ -47,6 +47,9 @@ def exit_on(*kinds):
     """Context of a command line program: at an exception of these kinds prints its message and exits with code 2."""
     try:
         yield
+        sys.stdout.flush()
+    except BrokenPipeError:  # the reader, such as head, has seen enough
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
     except kinds as error:
         print(f"error: {in_words(error)}", file=sys.stderr)
         sys.exit(2)

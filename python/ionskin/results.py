@@ -168,6 +168,8 @@ class Results:
         """
         self._keep = keep
         self.folder = pathlib.Path(folder)
+        if self.folder.is_file():
+            raise CaseError(f"{folder} is a file, and the folder of a run is wanted\n  = run a case first: ionskin run CASE.toml -o DIR")
         self.manifest = read_json(self.folder / "manifest.json")
         tables = all((self.folder / f"{name}.csv").exists() for name in ("signals", "sampled"))
         self.complete = tables and not self._gave_up()

@@ -98,7 +98,7 @@ class ExtremeCases(ProgramTest):
 
     def test_check_refuses_a_contact_at_the_edge_of_the_skin_as_run_does(self):
         finger = ROOT / "cases" / "finger.toml"
-        words = "reaches the edge of the skin along y: move slider.start"
+        words = "reaches the edge of the skin along y: it needs more than the "
 
         def narrow(width, *edits):
             place = (f"skin.width={width} mm", f'slider.start=["4.5 mm", "{width / 2} mm"]', "numerics.preset=coarse")

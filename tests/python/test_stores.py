@@ -113,7 +113,7 @@ class Stores(PackageTest):
                 locks.append(self)
 
         options = {"case_path": os.fspath(self.case), "output": os.fspath(self.out), "set_edits": [], "threads": 0, "on": "", "seed": 1,
-                   "quiet": True, **{flag: flag in more for flag in ("resume", "overwrite")}, **arguments}
+                   "balance": 0, "quiet": True, **{flag: flag in more for flag in ("resume", "overwrite")}, **arguments}
         with mock.patch.object(sys, "argv", [study, json.dumps(options)]), mock.patch.object(module, "engine", lambda *_, **__: Instant()), \
                 mock.patch.object(module, "StudyFolder", Kept), contextlib.redirect_stderr(said), \
                 contextlib.redirect_stdout(io.StringIO()):
@@ -225,6 +225,16 @@ class Stores(PackageTest):
         (self.out / "figures").unlink()
         self.assertEqual(self.main("generate", "overwrite")[0], 0)
         self.assertEqual(self.victim.read_text(), "untouched")
+
+    def test_a_study_that_still_runs_is_not_overwritten(self):
+        self.assertEqual(self.main("generate")[0], 0)
+        before = sorted(os.listdir(self.out))
+        running = StudyFolder(self.out, json.loads((self.out / "study.json").read_text()), resume=True)
+        code, said = self.main("generate", "overwrite")
+        self.assertEqual((code, sorted(os.listdir(self.out))), (2, before))
+        self.assertIn("another process works in", said)
+        running.close()
+        self.assertEqual(self.main("generate", "overwrite")[0], 0)
 
     def test_a_pipe_as_case_is_refused(self):
         os.mkfifo(self.folder / "case.toml")

@@ -165,6 +165,14 @@ void print_range(const ionskin::live::SkinData& data) {
              range(data.lowest_place[0], data.highest_place[0]),
              range(data.lowest_place[1], data.highest_place[1]), data.heaviest_force,
              data.deepest_indentation * 1e6, data.fastest * 1e3);
+  if (data.highest_friction > data.lowest_friction) {
+    fmt::print("friction {:g} to {:g}\n", data.lowest_friction, data.highest_friction);
+  }
+  if (data.steepest > 0 || data.fastest_turn > 0) {
+    constexpr double degrees = 180 / std::numbers::pi;
+    fmt::print("tilted up to {:.3g} degrees, turned by up to {:.3g} degrees a second\n",
+               data.steepest * degrees, data.fastest_turn * degrees);
+  }
 }
 
 /// @param touches number of unseen touches

@@ -3,7 +3,6 @@
 
 #include "ionskin/base/error.hpp"
 #include "ionskin/base/system/installation.hpp"
-#include "ionskin/base/system/interrupt.hpp"
 #include "ionskin/study/run/python_module.hpp"
 
 #include <nlohmann/json.hpp>
@@ -25,48 +24,44 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(MotionOptions, recordings, output, columns, o
 
 namespace {
 
-int run_with(const std::string& module, const nlohmann::json& options) {
+[[noreturn]] void run_with(const std::string& module, const nlohmann::json& options) {
   std::string text;
   try {
     text = options.dump();
   } catch (const nlohmann::json::type_error&) {
     throw UserError("an option is not UTF-8 text\n  = write options and names of files in UTF-8");
   }
-  // The script handles an interrupt and ends with its code; this process waits for it.
-  base::install_interrupt_handler();
-  const int code = study::run_python_module(module, {text}, study::PythonErrors::shown).exit_code;
-  if (code < 0) {
-    throw UserError(base::python_interpreter() +
-                    " cannot be started or was killed\n  = ionskin doctor says what is missing");
-  }
-  return code;
+  study::become_python_module(module, {text}); // which then gets the signals itself
+  throw UserError(base::python_interpreter() +
+                  " cannot be started\n  = ionskin doctor says what is missing");
 }
 
-template <class Options> int run_trials(const std::string& module, const Options& options) {
+template <class Options>
+[[noreturn]] void run_trials(const std::string& module, const Options& options) {
   nlohmann::json all = static_cast<const TrialOptions&>(options);
   all.update(nlohmann::json(options));
-  return run_with(module, all);
+  run_with(module, all);
 }
 
 } // namespace
 
 int uncertainty(const UncertaintyOptions& options) {
-  return run_trials("ionskin.uncertainty", options);
+  run_trials("ionskin.uncertainty", options);
 }
 
 int design(const DesignOptions& options) {
   if (options.maximise.empty() == options.minimise.empty()) {
     throw UserError("nothing to optimise\n  = give --maximise METRIC or --minimise METRIC");
   }
-  return run_trials("ionskin.design", options);
+  run_trials("ionskin.design", options);
 }
 
 int generate(const GenerateOptions& options) {
-  return run_trials("ionskin.generation", options);
+  run_trials("ionskin.generation", options);
 }
 
 int motion(const MotionOptions& options) {
-  return run_with("ionskin.reading.recording", options);
+  run_with("ionskin.reading.recording", options);
 }
 
 } // namespace ionskin::apps

@@ -5,6 +5,7 @@ import contextlib
 import json
 import os
 import pathlib
+import signal
 import sys
 import tempfile
 import time
@@ -95,7 +96,11 @@ class Progress:
 
 @contextlib.contextmanager
 def guarded():
-    """Context of a command: ends the program with code 2 at the user's mistake, 5 at a lost scheduler, 130 at an interrupt."""
+    """Context of a command: ends the program with code 2 at the user's mistake, 5 at a lost scheduler, 130 at an interrupt, a
+    request to end or a lost terminal."""
+    signal.signal(signal.SIGTERM, signal.default_int_handler)
+    if signal.getsignal(signal.SIGHUP) != signal.SIG_IGN:  # as under nohup
+        signal.signal(signal.SIGHUP, signal.default_int_handler)
     try:
         yield
     except SchedulerLost:

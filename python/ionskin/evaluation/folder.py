@@ -41,6 +41,9 @@ class StudyFolder:
                 raise CaseError(f"{inner} is a link, and ionskin writes nothing through a link\n  = remove the link")
             if inner.exists() and not inner.is_dir():
                 raise CaseError(f"{inner} is not a folder, which a study keeps there\n  = move it away")
+        self._held = None
+        if overwrite and self._points.is_dir():
+            self._lock()  # before anything of a study that still runs is removed
         former = {} if overwrite else _former(self.folder / QUESTION)
         if overwrite:
             self._remove()
@@ -53,7 +56,8 @@ class StudyFolder:
         elif self.folder.exists() and any(self.folder.iterdir()):
             raise CaseError(f"{folder} holds other files\n  = give a new folder to --output")
         self._points.mkdir(parents=True, exist_ok=True)
-        self._lock()
+        if self._held is None:
+            self._lock()
         entries = self.folder / output_folder.LIST
         if os.path.lexists(entries):
             _require_ordinary(entries)

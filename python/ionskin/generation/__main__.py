@@ -6,6 +6,8 @@ import sys
 import time
 import warnings
 
+import numpy
+
 from .. import solver
 from ..errors import CaseError
 from ..evaluation import StudyFolder
@@ -87,8 +89,8 @@ def of_rows(choice, asked: int) -> list[str]:
     lines = ["rows: " + ", ".join(f"{100 * count / total:.2g} % {kind}" for kind, count in choice.counts.items())]
     if asked:
         each, rarest = len(choice.chosen()) // len(MOVING), min(MOVING, key=choice.counts.get)
-        lines.append(f"balanced: {each} rows each of {', '.join(MOVING)}"
-                     + (f"; there are no more of {rarest}" if each < asked else ""))
+        lines.append(("warning: " if not each else "") + f"balanced: {each} rows each of {', '.join(MOVING)}"
+                     + (f"; there are no more of {rarest}: make more touches" if each < asked else ""))
     return lines
 
 
@@ -114,11 +116,15 @@ def announcement(touches: Touches, folder: str) -> list[str]:
 def live_announcement(touches: LiveTouches) -> list[str]:
     """Lines of text, printed before the touches of a live skin are stepped: what varies, and the stated errors."""
     trained = touches.skin.range
-    (x, y), (far_x, far_y) = trained.lowest, trained.highest
+    x, y = (f"{1e3 * low:g} mm only" if low == high else f"{1e3 * low:g} to {1e3 * high:g} mm"
+            for low, high in zip(trained.lowest, trained.highest))
+    by_force = "forces" in touches.skin.random_touch(touches.seed)
+    load = f"forces up to {trained.force:.3g} N" if by_force else f"heights down to {-1e6 * trained.indentation:.3g} um"
     lines = [f"{one.key} = {one.written}" for one in touches.parameters]
-    lines += [f"x from {1e3 * x:g} to {1e3 * far_x:g} mm, y from {1e3 * y:g} to {1e3 * far_y:g} mm, forces up to {trained.force:.3g} N, "
-              f"speeds up to {1e3 * trained.speed:.3g} mm/s",
-              "each touch lands, slides, rests, changes its force and lifts off, at random (docs/training-data.md)"]
+    lines.append(f"x {x}, y {y}, {load}, speeds up to {1e3 * trained.speed:.3g} mm/s")
+    if trained.tilt or trained.turn:
+        lines.append(f"tilts up to {numpy.degrees(trained.tilt):.3g} degrees, turns up to {numpy.degrees(trained.turn):.3g} degrees a second")
+    lines += ["each touch lands, slides, rests, changes its force and lifts off, at random (docs/training-data.md)"]
     for name in TOLD:
         one = touches.skin.errors.get(name)
         if one and one.largest > 0:

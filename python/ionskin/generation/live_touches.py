@@ -21,7 +21,9 @@ ELECTRODES = ("current_top", "current_bottom", "current_difference", "current_co
 
 
 def is_live_skin(path: str | os.PathLike) -> bool:
-    """True if a file begins as one of a live skin does."""
+    """True if a file begins as one of a live skin does, or has the ending of such a file."""
+    if os.fspath(path).endswith(".live"):
+        return True
     try:
         with open(path, "rb") as file:
             return file.read(len(MAGIC)) == MAGIC

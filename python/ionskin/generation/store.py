@@ -9,7 +9,7 @@ import numpy
 from .. import output_folder
 from ..evaluation import Outcome
 from ..evaluation.libraries import need
-from .rows import KINDS, RowChoice, kinds
+from .rows import AT_REST, KINDS, RowChoice, kinds
 
 SIGNALS = ("current_top", "current_bottom", "current_difference", "charge_top", "charge_bottom")
 # Voltages and currents of circuits where taxels have their own, then currents and charges of all.
@@ -53,6 +53,7 @@ def tables(outcome: Outcome, rate: float):
     force = labels[LABELS.index("normal_force")]
     touching = numpy.where(numpy.isfinite(force), force > TOUCHING * numpy.nanmax(force, initial=1e-30), numpy.nan)
     speed = numpy.hypot(*(numpy.gradient(labels[LABELS.index(name)], time) for name in ("slider_x", "slider_y")))
+    speed[speed <= AT_REST] = 0  # of the rounding of places
     return (time, numpy.column_stack([at(name) for name in (*SIGNALS, *taxel_signals(outcome))]),
             numpy.column_stack([*labels, touching, speed, *map(label, (*WRENCH, *angles(outcome)))]))
 

@@ -56,7 +56,7 @@ def _declared(library: ctypes.CDLL) -> ctypes.CDLL:
             ("footprint", None, [skin, NUMBERS]), ("core_thickness", number, [skin]),
             ("taxel", ctypes.c_int, [skin, size, texts, NUMBERS]),
             ("event_error", ctypes.c_int, [skin, size, texts, texts, NUMBERS, NUMBERS, NUMBERS]),
-            ("random_touch", size, [skin, ctypes.c_uint64, NUMBERS]),
+            ("random_touch", size, [skin, ctypes.c_uint64, NUMBERS, ctypes.POINTER(ctypes.c_int)]),
             ("skins_open", skin, [skin, size, size]), ("skins_close", None, [skin]),
             ("skins_step", None, [skin, size, size, size, ctypes.POINTER(Batch)]),
             ("skins_step_posed", None, [skin, size, size, size, ctypes.POINTER(Batch), ctypes.c_void_p, ctypes.c_void_p]),

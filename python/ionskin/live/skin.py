@@ -12,7 +12,7 @@ from concurrent.futures import ThreadPoolExecutor
 import numpy
 
 from ..errors import CaseError
-from .checks import finite, one_load, require_ascending_times, require_turns
+from .checks import FORCE, finite, one_load, require_ascending_times, require_turns
 from .library import TOUCH_ROWS, load, pointer
 from .signals import LiveSkinWarning, Range, SignalError, Signals
 
@@ -264,20 +264,23 @@ class Skin:
         number    number of the touch, from 0 on; a touch depends on the seed and its number alone
         interval  time between two steps [s]; steps of more than a millisecond cut corners of the touch
 
-        Returns the arguments of `run` as a dict: times [step] [s] from one interval on, positions [step, 2] [m], forces [step] [N],
-        0 without contact, angles [step, 3] [rad]. Raises ValueError for an interval that is not above 0.
+        Returns the arguments of `run` as a dict: times [step] [s] from one interval on, positions [step, 2] [m], angles [step, 3]
+        [rad], and forces [step] [N], 0 without contact, or heights [step] [m] if the skin was trained with heights. Friction
+        is not part of it. Raises ValueError for an interval that is not above 0.
         """
         if not finite("interval", interval, ()) > 0:
             raise ValueError(f"interval: {interval:g} s is not above 0")
         mixed = int(numpy.random.SeedSequence([seed, number]).generate_state(1, numpy.uint64)[0])
         rows = numpy.empty((TOUCH_ROWS, 7))
-        count = self._library.ionskin_live_random_touch(self._handle, mixed, pointer(rows))
+        kind = ctypes.c_int()
+        count = self._library.ionskin_live_random_touch(self._handle, mixed, pointer(rows), ctypes.byref(kind))
         if not count:
             raise MemoryError("no memory for a touch")
         corners = rows[:count].T
         times = interval * numpy.arange(1, int(numpy.floor(corners[0, -1] / interval * (1 + 1e-12))) + 1)
-        x, y, forces, *angles = (numpy.interp(times, corners[0], column) for column in corners[1:])
-        return {"times": times, "positions": numpy.column_stack([x, y]), "forces": forces, "angles": numpy.column_stack(angles)}
+        x, y, loads, *angles = (numpy.interp(times, corners[0], column) for column in corners[1:])
+        return {"times": times, "positions": numpy.column_stack([x, y]), "forces" if kind.value == FORCE else "heights": loads,
+                "angles": numpy.column_stack(angles)}
 
     def play(self, path: str | os.PathLike, times: Sequence[float], positions, *, heights=None, forces=None) -> Signals:
         """Makes steps as `run` does, returns their signals, and writes an HTML page that plays them in a browser without

@@ -12,6 +12,7 @@ from . import report_text
 
 NEAR = 0.03  # of the length of a run: an instant so near an event is told by the time between them
 TAXEL = "current_top_"
+READING = "reading_"  # of an amplifier at a taxel
 WHILE = {"touchdown": ", while the slider lands", "lift": ", while the slider lifts"}
 
 
@@ -93,6 +94,8 @@ def of_own_taxel(results):
     if results.sampled_taxels is None or not has_own_circuits(results):
         return None
     prefix, unit, words = (VOLTAGE, "V", "A voltmeter") if has_voltages(results) else ("current_circuit_", "A", "An ammeter")
+    if unit == "A" and any(name.startswith(READING) for name in results.sampled_taxels):
+        prefix, words = READING, "An amplifier"
     names = [name for name in results.sampled_taxels if name.startswith(prefix)]
     if not names:
         return None
@@ -163,8 +166,11 @@ def of_mechanics(results):
     return f"In mid-slide {text}; the ions were not asked for." if text else None
 
 
-def of_noise(results):
-    """Sentences on the noise of one reading, its parts, and the ratio of the peak to it; [] for runs of older versions."""
+def of_noise(results, told):
+    """Sentences on the noise of one reading, its parts, and the ratio of the peak to it; [] for runs of older versions.
+
+    told  sentences before it, which may have told this peak
+    """
     def metric(name):
         found = results.metrics.get(name)
         return None if found is None else found.value
@@ -176,8 +182,10 @@ def of_noise(results):
     parts = ", ".join(f"{quantity(value, unit, 2)} by {words}" for words, value in (
         ("the skin's thermal noise", metric("sample_noise_thermal")), ("the amplifier", metric("sample_noise_amplifier")),
         ("the converter's steps", metric("sample_noise_quantisation"))) if value)
-    verdict = (f"{float(f'{ratio:.2g}'):,g} times smaller than that peak" if ratio >= 3 else
-               "no smaller than a third of that peak: one reading does not show it" if ratio >= 1 else "larger than that peak: it cannot be read")
+    peak = quantity(ratio * metric("sample_noise"), unit, 3)
+    peak = "that peak" if any(f" {peak}" in sentence for sentence in told) else f"the largest sampled reading, {peak}"
+    verdict = (f"{float(f'{ratio:.2g}'):,g} times smaller than {peak}" if ratio >= 3 else
+               f"no smaller than a third of {peak}: one reading does not show it" if ratio >= 1 else f"larger than {peak}: it cannot be read")
     return [f"The noise of one reading is {quantity(metric('sample_noise'), unit, 2)} rms ({parts}), {verdict}."]
 
 
@@ -190,7 +198,7 @@ def readings(results):
 def sentences(results):
     """Opening sentences of a run's page: the first ones say what an instrument reads, further ones on what this depends."""
     told = readings(results)
-    found = [*told, *of_noise(results)]
+    found = [*told, *of_noise(results, told)]
     if "peak_open_circuit_voltage" in results.metrics and "V" not in told[-1]:
         found.append(f"Left open, the cell would give up to {with_error(results, 'peak_open_circuit_voltage', 0.0, 'V')} at once.")
     coefficient = results.case.get("coupling", {}).get("coefficient")

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "ionskin/circuits/circuit.hpp"
 #include "ionskin/circuits/instrument_reading.hpp"
 #include "ionskin/readout/signals.hpp"
 
@@ -8,7 +9,8 @@
 
 namespace ionskin::readout {
 
-// Columns of circuit.csv: voltage, current and charge at the terminals of the readout circuit.
+// Columns of circuit.csv and sampled_circuit.csv: voltage, current and charge at the terminals of
+// the readout circuit.
 
 /// Half the difference of the charges of top and bottom electrode, which is the charge that has
 /// passed between them [row] [C].
@@ -30,5 +32,28 @@ SignalTable terminal_signals(const std::vector<double>& time, const std::vector<
 /// @param time [row] [s]
 SignalTable instrument_signals(const std::vector<double>& time,
                                const circuits::InstrumentReading& reading);
+
+/// Current that a circuit's own instrument shows, at the rows of a run and as means over readout
+/// intervals.
+struct SampledReading {
+  circuits::InstrumentReading at_rows;
+  std::vector<double> mean_current; ///< over each interval of `interval_ends` [A]
+  std::vector<double> charge;       ///< integral of the shown current, at the ends [C]
+};
+
+/// Reads a charge with the instrument of a circuit, which has one. The instrument steps from row to
+/// row and to the end of each readout interval: its noise within a long time step is then that of
+/// every reading, not a straight line.
+/// @param time of the rows [s], ascending
+/// @param charge that passes the instrument [row] [C], linear between the rows
+/// @param interval readout interval [s], positive
+SampledReading sampled_reading(const circuits::Circuit& circuit, const std::vector<double>& time,
+                               const std::vector<double>& charge, double interval);
+
+/// Columns of sampled_circuit.csv for an instrument: time (end of each interval), current, charge.
+/// @param time of the rows [s]
+/// @param interval readout interval [s]
+SignalTable sampled_instrument_signals(const std::vector<double>& time, double interval,
+                                       const SampledReading& reading);
 
 } // namespace ionskin::readout

@@ -28,18 +28,6 @@ std::vector<double> values_at(const std::vector<double>& time, const std::vector
   return values;
 }
 
-/// Start of the run, then the end of every interval that the run completes [s].
-std::vector<double> interval_ends(const std::vector<double>& time, double interval) {
-  const double start = time.front();
-  const auto count =
-      static_cast<std::size_t>(std::floor((time.back() - start) / interval + interval_rounding));
-  std::vector<double> instants{start};
-  for (std::size_t i = 1; i <= count; ++i) {
-    instants.push_back(start + static_cast<double>(i) * interval);
-  }
-  return instants;
-}
-
 /// Integrals from the first row to some instants, of a quantity that is linear between the rows.
 std::vector<double> integral_at(const std::vector<double>& time,
                                 const std::vector<double>& quantity,
@@ -72,6 +60,17 @@ Signal interval_means(const std::string& name, const std::vector<double>& curren
 }
 
 } // namespace
+
+std::vector<double> interval_ends(const std::vector<double>& time, double interval) {
+  const double start = time.front();
+  const auto count =
+      static_cast<std::size_t>(std::floor((time.back() - start) / interval + interval_rounding));
+  std::vector<double> instants{start};
+  for (std::size_t i = 1; i <= count; ++i) {
+    instants.push_back(start + static_cast<double>(i) * interval);
+  }
+  return instants;
+}
 
 SignalTable sample_currents(const SignalTable& signals, double interval,
                             const ChargeRelaxation& relaxation) {

@@ -8,6 +8,11 @@
 
 namespace ionskin::readout {
 
+/// Start of a run, then the end of every readout interval that the run completes [s].
+/// @param time of the rows [s], ascending
+/// @param interval readout interval [s], positive
+std::vector<double> interval_ends(const std::vector<double>& time, double interval);
+
 /// Currents that an integrating instrument reads, docs/model.md (30): charge gained over each
 /// readout interval, divided by the interval. Unlike the resolved peaks, these converge as the time
 /// step is refined. Between the rows, half the difference of the charges follows `relaxation`, and

@@ -77,9 +77,8 @@ SignalTable taxel_signals(const std::vector<double>& time, const std::vector<Tax
   return table;
 }
 
-void add_reading(const std::string& name, const circuits::InstrumentReading& reading,
-                 SignalTable& table) {
-  table.columns.push_back({"reading_" + name, "A", reading.current});
+void add_reading(const std::string& name, const std::vector<double>& current, SignalTable& table) {
+  table.columns.push_back({"reading_" + name, "A", current});
 }
 
 double largest_taxel_current(const SignalTable& taxels) {

@@ -33,10 +33,10 @@ struct TaxelCharge {
 SignalTable taxel_signals(const std::vector<double>& time, const std::vector<TaxelCharge>& taxels,
                           const std::vector<TaxelCharge>& lines = {});
 
-/// Adds a column reading_NAME with the current that the instrument of a taxel displays [A].
+/// Adds a column reading_NAME with the current that the instrument of a taxel displays.
 /// @param name of the taxel or line
-void add_reading(const std::string& name, const circuits::InstrumentReading& reading,
-                 SignalTable& table);
+/// @param current [row of the table] [A]
+void add_reading(const std::string& name, const std::vector<double>& current, SignalTable& table);
 
 /// Largest magnitude in the columns of all taxels whose names begin with a prefix, such as
 /// "voltage_"; 0 without such columns. The rest of the electrode between the taxels does not count.

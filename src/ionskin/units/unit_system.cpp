@@ -56,6 +56,13 @@ void add_root_hertz(ut_system* system) {
   ut_map_unit_to_name(unit.get(), root_hertz, UT_ASCII);
 }
 
+/// Adds the square of sheet resistances, "ohm/sq", which has no dimension.
+void add_square(ut_system* system) {
+  const Unit one(ut_get_dimensionless_unit_one(system), &ut_free);
+  ut_map_name_to_unit("sq", UT_ASCII, one.get());
+  ut_map_name_to_unit("square", UT_ASCII, one.get());
+}
+
 std::string with_root_hertz(const std::string& unit) {
   std::string result = unit;
   for (const std::string_view spelling : {"sqrt(Hz)", "√Hz"})
@@ -69,8 +76,10 @@ ut_system* unit_system() {
   if (!system) { // retried after a failure: the host may have set the path since
     ut_set_error_message_handler(ut_ignore);
     system.reset(ut_read_xml(nullptr));
-    if (system)
+    if (system) {
       add_root_hertz(system.get());
+      add_square(system.get());
+    }
   }
   if (!system)
     throw UserError(

@@ -50,7 +50,9 @@ TEST_F(LiveController, DrawsTouchesWithinTheTrainedRange) {
   ionskin_live::Skin skin(path);
   double rows[IONSKIN_LIVE_TOUCH_ROWS][7], again[IONSKIN_LIVE_TOUCH_ROWS][7], range[7];
   ionskin_live_range(skin.handle(), range);
-  const std::size_t count = ionskin_live_random_touch(skin.handle(), 3, rows[0]);
+  int kind = -1;
+  const std::size_t count = ionskin_live_random_touch(skin.handle(), 3, rows[0], &kind);
+  EXPECT_EQ(kind, IONSKIN_LIVE_FORCE);
   ASSERT_GE(count, 7u);
   double heaviest = 0;
   for (std::size_t i = 0; i < count; ++i) {
@@ -61,10 +63,20 @@ TEST_F(LiveController, DrawsTouchesWithinTheTrainedRange) {
   }
   EXPECT_LE(heaviest, range[4]);
   EXPECT_GE(heaviest, 0.15 * range[4]);
-  ASSERT_EQ(ionskin_live_random_touch(skin.handle(), 3, again[0]), count);
+  ASSERT_EQ(ionskin_live_random_touch(skin.handle(), 3, again[0], &kind), count);
   EXPECT_TRUE(std::equal(rows[0], rows[count], again[0]));
-  ionskin_live_random_touch(skin.handle(), 4, again[0]);
+  ionskin_live_random_touch(skin.handle(), 4, again[0], &kind);
   EXPECT_FALSE(std::equal(rows[0], rows[7], again[0]));
+
+  SkinData held = small_skin();
+  held.errors = {{"slider_z", "", 0, 0, 1e-4}};
+  write_skin(path, held);
+  ionskin_live::Skin by_height(path);
+  ASSERT_GE(ionskin_live_random_touch(by_height.handle(), 3, rows[0], &kind), 7u);
+  EXPECT_EQ(kind, IONSKIN_LIVE_HEIGHT);
+  EXPECT_GT(rows[0][3], 0);
+  EXPECT_LT(rows[2][3], 0);
+  EXPECT_GE(rows[2][3], -range[5]);
 }
 
 TEST_F(LiveController, CopiesGoOnByThemselves) {

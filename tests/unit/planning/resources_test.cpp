@@ -108,8 +108,8 @@ TEST(Resources, OfAContactThatWasFoundFollowFromItsCells) {
 TEST(Resources, StepsWithoutEndAreRefused) {
   EXPECT_THROW(
       require_resources(quick({"motion.slide=10000000 s", "electrochemistry.diffusivity=1e-4 m2/s",
-                               "numerics.time_refinement=100", "readout.sample_interval=100 s",
-                               "output.fields=[]"}),
+                               "numerics.time_refinement=100", "numerics.time_tolerance=1e-12",
+                               "readout.sample_interval=100 s", "output.fields=[]"}),
                         2),
       UserError);
 }

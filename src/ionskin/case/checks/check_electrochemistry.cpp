@@ -57,19 +57,27 @@ void check_interface(const CaseDocument& document, Problems& problems) {
                              ? 1 - ions.resting_concentration() / ions.largest_concentration
                              : 1;
   const double least = std::sqrt(ions.permittivity * charge / scale * std::max(crowded, 0.0));
-  if (ions.interface_capacitance < least * (1 - 1e-9))
+  const double fitting = ions.permittivity * std::pow(ions.interface_capacitance / least, 2);
+  if (ions.interface_capacitance < least * (1 - 1e-9)) {
+    // No material has less than the permittivity of vacuum; the bulk of a wet polymer has up to 80
+    // times that.
+    const std::string remedy =
+        fitting >= constants::vacuum_permittivity
+            ? fmt::format("set electrochemistry.permittivity to that of the bulk, at most {:.3g} "
+                          "F/m here (80 times that of vacuum is 7.1e-10 F/m)",
+                          fitting)
+            : fmt::format("the capacitance is too small for these ions: with a permittivity of "
+                          "7.1e-10 F/m, 80 times that of vacuum, it must be at least {:.3g} F/m2",
+                          least * std::sqrt(7.1e-10 / ions.permittivity));
     problems.add(
         fmt::format("electrochemistry.interface_capacitance = {:.4g} F/m2 is less than the {:.4g} "
                     "F/m2 that a permittivity of {:.4g} F/m makes of the projected area alone",
                     ions.interface_capacitance, least, ions.permittivity),
-        at,
-        fmt::format(
-            "set electrochemistry.permittivity to that of the bulk, at most {:.3g} F/m here "
-            "(80 times that of vacuum is 7.1e-10 F/m)",
-            ions.permittivity * std::pow(ions.interface_capacitance / least, 2)));
-  else if (const double layers = interface_lengths * std::sqrt(ions.permittivity * scale / charge);
-           ions.ion_model != IonModel::thin_layers &&
-           layers > interface_share * input.skin.core_thickness())
+        at, remedy);
+  } else if (const double layers =
+                 interface_lengths * std::sqrt(ions.permittivity * scale / charge);
+             ions.ion_model != IonModel::thin_layers &&
+             layers > interface_share * input.skin.core_thickness())
     problems.add(
         fmt::format(
             "at a permittivity of {:.4g} F/m the double layers take {:.3g} of the core, and "

@@ -54,6 +54,13 @@ bool lies_inside(double low, double high, double extent) {
   return flush || (low > 0 && high < extent);
 }
 
+/// Words for the extent of a slider along an axis, or for its centre where only that counts.
+std::string extent_words(double centre, double half_size) {
+  return half_size > 0 ? fmt::format("it reaches from {:.6g} mm to {:.6g} mm",
+                                     (centre - half_size) * 1e3, (centre + half_size) * 1e3)
+                       : fmt::format("its centre is at {:.6g} mm", centre * 1e3);
+}
+
 void check_axis(const CaseDocument& document, const Axis& axis, Problems& problems) {
   const Slider& slider = document.input.slider;
   const Motion& motion = document.input.motion;
@@ -66,9 +73,10 @@ void check_axis(const CaseDocument& document, const Axis& axis, Problems& proble
       continue;
     problems.add(
         fmt::format(
-            "the slider is not inside the skin at the {} of the slide: it reaches from {:.6g} "
-            "mm to {:.6g} mm along {}, the skin from 0 mm to {:.6g} mm",
-            at_end ? "end" : "start", low * 1e3, high * 1e3, axis.name, axis.extent * 1e3),
+            "the slider is not inside the skin at the {} of the slide: {} along {}, the skin "
+            "reaches from 0 mm to {:.6g} mm",
+            at_end ? "end" : "start", extent_words(centre, half_size), axis.name,
+            axis.extent * 1e3),
         places(document, axis, at_end), remedy(axis, half_size, travel));
     return;
   }
@@ -82,10 +90,9 @@ void check_waypoints(const CaseDocument& document, const Axis& axis, Problems& p
     if (lies_inside(centre - half_size, centre + half_size, axis.extent))
       continue;
     problems.add(
-        fmt::format("the slider is not inside the skin at waypoint {}: it reaches from {:.6g} mm "
-                    "to {:.6g} mm along {}, the skin from 0 mm to {:.6g} mm",
-                    i + 1, (centre - half_size) * 1e3, (centre + half_size) * 1e3, axis.name,
-                    axis.extent * 1e3),
+        fmt::format("the slider is not inside the skin at waypoint {}: {} along {}, the skin "
+                    "reaches from 0 mm to {:.6g} mm",
+                    i + 1, extent_words(centre, half_size), axis.name, axis.extent * 1e3),
         point_at_waypoint(document, i),
         fmt::format(
             "with this size its centre must lie above {:.6g} mm and below {:.6g} mm along {}",

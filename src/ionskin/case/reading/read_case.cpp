@@ -27,7 +27,9 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 #include <map>
+#include <string_view>
 #include <utility>
 
 namespace ionskin {
@@ -119,8 +121,28 @@ std::vector<std::string> notes_on_former_keys(const CaseDocument& document) {
 
 } // namespace
 
+namespace {
+
+/// Throws UserError if a file is that of a live skin.
+void refuse_live_skin(const std::string& path) {
+  constexpr std::string_view begin = "ionskin live skin";
+  std::string bytes(begin.size(), '\0');
+  if (std::filesystem::is_regular_file(path) &&
+      std::ifstream(path, std::ios::binary)
+          .read(bytes.data(), static_cast<std::streamsize>(bytes.size())) &&
+      bytes == begin) {
+    throw UserError(path +
+                    " is a live skin, where a case file is wanted\n  = give the case; a live "
+                    "skin is stepped in Python, C or an FMU, and ionskin generate makes "
+                    "training data of it");
+  }
+}
+
+} // namespace
+
 CaseDocument read_case_document(const std::string& path,
                                 const std::vector<std::string>& set_edits) {
+  refuse_live_skin(path);
   return read_case_text(base::read_text_file(path, "case", toml_limits::bytes), path, set_edits);
 }
 

@@ -30,7 +30,8 @@ void add_run_control(SchemaRows& rows) {
        .type = ValueType::choice,
        .default_value = "\"standard\"",
        .choices = {{"coarse"}, {"standard"}, {"fine"}},
-       .help = "Accuracy: coarse for a first look, standard for 1 %, fine for 0.25 %.",
+       .help = "Resolution: coarse for a first look, standard, fine. A run states what error it "
+               "leaves.",
        .set = into<Numerics, Preset>(
            &Case::numerics, &Numerics::preset,
            {{"coarse", Preset::coarse}, {"standard", Preset::standard}, {"fine", Preset::fine}})});

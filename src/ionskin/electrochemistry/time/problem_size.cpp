@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace ionskin::electrochemistry {
 namespace {
@@ -119,12 +120,11 @@ double crossing_time(const MotionLeg& leg, const Skin& skin, const ProblemSize& 
   return least;
 }
 
-/// Longest step that the tolerance is likely to allow in each interval between neighbouring
-/// landings [s].
+/// Longest step that the tolerance is likely to allow while edges of the slider cross columns, in
+/// each interval between neighbouring landings; infinite where none do [s].
 std::vector<double> longest_steps(const Case& input, const StepLandings& landings,
-                                  const StepRule& rule, const DerivedScales& scales,
-                                  const ProblemSize& size) {
-  std::vector<double> longest(landings.time.size() - 1, relaxation_step(rule, scales));
+                                  const StepRule& rule, const ProblemSize& size) {
+  std::vector<double> longest(landings.time.size() - 1, std::numeric_limits<double>::infinity());
   if (input.strain.kind != StrainSourceKind::contact) {
     return longest;
   }
@@ -137,7 +137,7 @@ std::vector<double> longest_steps(const Case& input, const StepLandings& landing
           return other.end() <= since_begin;
         });
     if (leg != legs.end() && leg->slides()) {
-      longest[i] = std::min(longest[i], crossing_step(rule, crossing_time(*leg, input.skin, size)));
+      longest[i] = crossing_step(rule, crossing_time(*leg, input.skin, size));
     }
   }
   return longest;
@@ -158,7 +158,8 @@ ProblemSize problem_size(const Case& input, const history::CoreHistory& history)
       make_step_landings(history, input.output.fields,
                          scan_switches(input.readout, history.time.front(), history.time.back()));
   const StepRule rule = step_rule(input.numerics, input.readout, scales);
-  size.steps = estimate_steps(landings, rule, longest_steps(input, landings, rule, scales, size));
+  size.steps = estimate_steps(landings, rule, relaxation_step(rule, scales),
+                              longest_steps(input, landings, rule, size));
   size.memory = vectors_per_unknown * sizeof(double) * static_cast<double>(size.unknowns);
   return size;
 }

@@ -37,8 +37,7 @@ constexpr double longest_share = 0.15 / 0.8493165557971034, late_share = 0.05;
 // Constants of the estimates of steps, see relaxation_step and crossing_step.
 constexpr double error_constant = 0.0404, kink_constant = 0.055;
 
-/// Largest number of steps that an estimate counts between two landings; far more than any run
-/// takes.
+/// Largest number of steps that an estimate counts; far more than any run takes.
 constexpr double most_steps = 1e12;
 
 // Weights of the errors of single columns where they are to be resolved, and elsewhere.
@@ -150,28 +149,33 @@ double crossing_step(const StepRule& rule, double crossing_time) {
   return safety * crossing_time * std::sqrt(rule.tolerance / (kink_constant * rule.column_share));
 }
 
-std::size_t estimate_steps(const StepLandings& landings, const StepRule& rule,
+std::size_t estimate_steps(const StepLandings& landings, const StepRule& rule, double relaxing,
                            const std::vector<double>& longest) {
-  std::size_t steps = 0;
-  double step = rule.first;
+  const double early = std::min(rule.longest, relaxing),
+               late = early / rule.late_share; // since the event, from when on steps lengthen
+  double steps = 0, step = rule.first, event = landings.time.front();
   for (std::size_t i = 1; i < landings.time.size(); ++i) {
-    const double most = std::min(rule.longest, longest[i - 1]);
-    double rest = landings.time[i] - landings.time[i - 1];
-    step = std::min(step, most);
-    while (rest > 0.0 && step < most) {
-      rest -= step;
-      step = std::min(step * rule.growth, most);
-      ++steps;
-    }
-    if (rest > 0.0) { // the rest in steps of one length, however many
-      const double count = std::ceil(rest / most * (1.0 - 1e-12));
-      steps += static_cast<std::size_t>(std::min(count, most_steps));
+    const double end = landings.time[i] - event;
+    double since = landings.time[i - 1] - event; // the event [s]
+    while (since < end) {
+      const double most = std::min(std::max(early, rule.late_share * since), longest[i - 1]),
+                   length = std::min(step, most);
+      step = length * rule.growth;
+      if (length < most || (most < longest[i - 1] && since >= late)) {
+        since += length;
+        ++steps;
+      } else { // steps of one length, however many
+        const double until = most < longest[i - 1] ? std::min(end, late) : end;
+        steps += std::ceil((until - since) / most * (1.0 - 1e-12));
+        since = until;
+      }
     }
     if (landings.is_event[i]) {
       step = rule.first;
+      event = landings.time[i];
     }
   }
-  return steps;
+  return static_cast<std::size_t>(std::min(steps, most_steps));
 }
 
 } // namespace ionskin::electrochemistry

@@ -97,9 +97,10 @@ double relaxation_step(const StepRule& rule, const DerivedScales& scales);
 double crossing_step(const StepRule& rule, double crossing_time);
 
 /// Estimates the number of time steps of a run from its landings, the growth of steps after events,
-/// and the lengths that the tolerance allows.
-/// @param longest longest step in each interval between neighbouring landings [s]
-std::size_t estimate_steps(const StepLandings& landings, const StepRule& rule,
+/// the share of the time since the last event, and the lengths that the tolerance allows.
+/// @param relaxing longest step until that share is longer [s], such as `relaxation_step`
+/// @param longest longest step in each interval between neighbouring landings, however late [s]
+std::size_t estimate_steps(const StepLandings& landings, const StepRule& rule, double relaxing,
                            const std::vector<double>& longest);
 
 } // namespace ionskin::electrochemistry

@@ -283,4 +283,11 @@ SkinData read_skin(const std::filesystem::path& path) {
   return skin_of_bytes(bytes, path.string());
 }
 
+bool validated_by_force(const SkinData& data) {
+  // A height that is held has no error.
+  return std::ranges::none_of(data.errors, [](const SignalError& error) {
+    return error.name == "slider_z" && error.event.empty() && error.rms == 0;
+  });
+}
+
 } // namespace ionskin::live

@@ -170,4 +170,8 @@ SkinData read_skin(const std::filesystem::path& path);
 /// false if it is not a regular file.
 bool is_skin_file(const std::filesystem::path& path);
 
+/// True if forces pressed the slider in the touches on which the errors of a skin were measured,
+/// false if heights were held.
+bool validated_by_force(const SkinData& data);
+
 } // namespace ionskin::live

@@ -91,12 +91,15 @@ void ionskin_live_run(ionskin_live_skin* skin, size_t count, const double* times
   }
 }
 
-size_t ionskin_live_random_touch(const ionskin_live_skin* skin, uint64_t seed, double* waypoints) {
+size_t ionskin_live_random_touch(const ionskin_live_skin* skin, uint64_t seed, double* waypoints,
+                                 int* kind) {
   try {
     const ionskin::live::SkinData& data = *skin->data;
+    const bool by_force = ionskin::live::validated_by_force(data);
+    *kind = by_force ? IONSKIN_LIVE_FORCE : IONSKIN_LIVE_HEIGHT;
     const ionskin::live::TouchRange range{{data.lowest_place, data.highest_place},
-                                          true,
-                                          data.heaviest_force,
+                                          by_force,
+                                          by_force ? data.heaviest_force : data.deepest_indentation,
                                           data.fastest,
                                           data.steepest,
                                           data.fastest_turn};
@@ -107,7 +110,7 @@ size_t ionskin_live_random_touch(const ionskin_live_skin* skin, uint64_t seed, d
       const double values[7]{at.time,
                              at.position[0],
                              at.position[1],
-                             at.force.value_or(0),
+                             by_force ? at.force.value_or(0) : *at.height,
                              at.roll.value_or(0),
                              at.pitch.value_or(0),
                              at.yaw.value_or(0)};

@@ -150,12 +150,15 @@ int ionskin_live_event_error(const ionskin_live_skin* skin, size_t index, const 
 #define IONSKIN_LIVE_TOUCH_ROWS 16
 
 /* Draws a random touch such as the skin was validated on, within the trained range: the slider
-   waits above the skin, lands, slides and rests in turn, turns back, changes its force, lifts off
-   and waits. Writes waypoints of 7 values, at most IONSKIN_LIVE_TOUCH_ROWS: time from 0 [s], x and
-   y of the slider's centre [m], normal force on the whole skin [N], 0 without contact, and roll,
-   pitch and yaw [rad]. All of them change linearly from row to row. Returns the number of rows; 0
-   when out of memory. One seed gives the same touch on every machine. */
-size_t ionskin_live_random_touch(const ionskin_live_skin* skin, uint64_t seed, double* waypoints);
+   waits above the skin, lands, slides and rests in turn, turns back, changes its load, lifts off
+   and waits. Writes waypoints of 7 values, at most IONSKIN_LIVE_TOUCH_ROWS: time from 0 [s], x and y
+   of the slider's centre [m], the load, and roll, pitch and yaw [rad]. All of them change linearly
+   from row to row. `kind` receives how the skin was validated: IONSKIN_LIVE_FORCE, and the load is
+   a normal force on the whole skin [N], 0 without contact; or IONSKIN_LIVE_HEIGHT, and the load is
+   the height of the underside [m]. Returns the number of rows; 0 when out of memory. One seed gives
+   the same touch on every machine. */
+size_t ionskin_live_random_touch(const ionskin_live_skin* skin, uint64_t seed, double* waypoints,
+                                 int* kind);
 
 /* Many skins of one file, stepped together, as environments of a learner. The result of an
    environment depends neither on the other environments nor on the worker that steps it. */

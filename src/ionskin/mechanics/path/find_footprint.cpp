@@ -67,10 +67,13 @@ void set_rim(mesh::Footprint& footprint, std::size_t direction, double rim,
 }
 
 /// Throws UserError: the contact reaches the edge of the skin.
-[[noreturn]] void refuse_edge(std::size_t direction) {
-  throw UserError(fmt::format("the contact reaches the edge of the skin along {}: {}",
-                              direction == 0 ? "x" : "y",
-                              "move slider.start, shorten motion.stroke or lower motion.preload"));
+/// @param limit largest footprint that the skin has room for
+[[noreturn]] void refuse_edge(std::size_t direction, const mesh::Footprint& limit) {
+  throw UserError(fmt::format(
+      "the contact reaches the edge of the skin along {}: it needs more than the {:.3g} mm on each "
+      "side of the slider's centre that the skin has along the path; move slider.start, shorten "
+      "motion.stroke, lower motion.preload, or make the skin larger",
+      direction == 0 ? "x" : "y", limit.half_size[direction] * 1e3));
 }
 
 /// The case on the coarse mesh on which the footprint is searched for.
@@ -108,7 +111,7 @@ mesh::Footprint footprint_at(const Case& input, double friction, int threads,
         set_rim(footprint, d,
                 (++growths[d] > many_growths ? fast_growth : growth) * footprint.rim[d], limit);
       } else if (reach.border[d] && mesh::ends_at_skin(input, footprint, d)) {
-        refuse_edge(d);
+        refuse_edge(d, limit);
       } else if (trial_margin * rim[d] <= too_narrow[d]) {
         rim[d] = footprint.rim[d] / margin;
       } else if (rim[d] < least_fill * footprint.rim[d]) {
@@ -171,7 +174,7 @@ std::optional<mesh::Footprint> widened_footprint(const Case& input,
     for (std::size_t d = 0; d < 2; ++d) {
       if (reach.border[d] && !footprint.sharp(d)) {
         if (mesh::ends_at_skin(input, footprint, d)) {
-          refuse_edge(d);
+          refuse_edge(d, limit);
         }
         set_rim(wider, d, growth * footprint.rim[d], limit);
       }

@@ -111,9 +111,10 @@ std::vector<std::string> compare_with_start(const FitModel& model, const FitData
   if (!(start_size > 0)) {
     throw UserError(
         fmt::format("the case that the fit starts from gives no {} at the times of the "
-                    "data\n  = the time counts from the beginning of the run; start from "
-                    "values that give a signal",
-                    data.column));
+                    "data, {:.4g} to {:.4g} s of a run of {:.4g} s\n  = the time counts from the "
+                    "beginning of the run: check the unit in the header of the time, or start "
+                    "from values that give a signal",
+                    data.column, data.time.front(), data.time.back(), start.time.back()));
   }
   const double r = correlation(data.values, signal);
   const Alignment kept = best_alignment(data, start, Sign::kept);

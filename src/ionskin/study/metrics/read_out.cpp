@@ -256,12 +256,15 @@ void add_ion_metrics(const Case& input, const IonSolution& ions,
 
 /// Adds the reading of an instrument of the charge that its circuit has passed.
 /// @param kind "Taxel" or "Line", for warnings
+/// @param interval readout interval [s]
 void add_reading_of(const circuits::Circuit& circuit, const std::string& kind,
                     const IonSolution& ions, const electrochemistry::SegmentCharge& segment,
-                    Signals& signals) {
-  const circuits::InstrumentReading reading = circuit.read(ions.time, segment.passed);
-  readout::add_reading(segment.name, reading, *signals.taxels);
-  for (const std::string& warning : reading.warnings) {
+                    double interval, Signals& signals) {
+  const readout::SampledReading reading =
+      readout::sampled_reading(circuit, ions.time, segment.passed, interval);
+  readout::add_reading(segment.name, reading.at_rows.current, *signals.taxels);
+  readout::add_reading(segment.name, reading.mean_current, *signals.sampled_taxels);
+  for (const std::string& warning : reading.at_rows.warnings) {
     signals.warnings.push_back(fmt::format("{} {}: {}", kind, segment.name, warning));
   }
 }
@@ -272,7 +275,7 @@ void add_readings(const Readout& readout, const IonSolution& ions, Signals& sign
   for (std::size_t e = 0; e < lines.size(); ++e) {
     const circuits::Circuit circuit = circuits::circuit(lines[e].circuit, readout.parameters);
     if (circuit.read) {
-      add_reading_of(circuit, "Line", ions, ions.lines[e], signals);
+      add_reading_of(circuit, "Line", ions, ions.lines[e], readout.sample_interval, signals);
     }
   }
   if (readout.is_crossbar()) {
@@ -282,7 +285,8 @@ void add_readings(const Readout& readout, const IonSolution& ions, Signals& sign
     const circuits::Circuit circuit =
         circuits::circuit(readout.circuit_of(i), readout.parameters_of(i));
     if (readout.has_own_circuit(i) && circuit.read) {
-      add_reading_of(circuit, "Taxel", ions, ions.top_segments[i], signals);
+      add_reading_of(circuit, "Taxel", ions, ions.top_segments[i], readout.sample_interval,
+                     signals);
     }
   }
 }
@@ -301,7 +305,7 @@ void add_circuits_of_taxels(const Readout& readout, const IonSolution& ions, Sig
   }
 }
 
-void add_taxels(const IonSolution& ions, bool moves_water, Signals& signals) {
+void add_taxels(const IonSolution& ions, bool moves_water, double interval, Signals& signals) {
   if (ions.top_segments.empty()) {
     return;
   }
@@ -316,6 +320,7 @@ void add_taxels(const IonSolution& ions, bool moves_water, Signals& signals) {
     lines.push_back({line.name, {}, {}, line.voltage, line.passed});
   }
   signals.taxels = readout::taxel_signals(ions.time, charges, lines);
+  signals.sampled_taxels = readout::sample_table(*signals.taxels, interval);
   // Where no charge passes, there is nothing to balance: the electrode's charge is rounding then.
   if (readout::carry_current(*signals.taxels)) {
     signals.metrics.push_back({"taxel_balance_error",
@@ -354,28 +359,34 @@ void add_water(const Case& input, const circuits::Circuit& circuit,
   }
 }
 
-void add_instrument(const circuits::Circuit& circuit, const IonSolution& ions, Signals& signals) {
-  const circuits::InstrumentReading reading =
-      circuit.read(ions.time, readout::charge_difference(ions.charge_top, ions.charge_bottom));
-  signals.circuit = readout::instrument_signals(ions.time, reading);
-  for (const circuits::InstrumentFigure& figure : reading.figures) {
+void add_instrument(const circuits::Circuit& circuit, const IonSolution& ions, double interval,
+                    Signals& signals) {
+  const readout::SampledReading reading = readout::sampled_reading(
+      circuit, ions.time, readout::charge_difference(ions.charge_top, ions.charge_bottom),
+      interval);
+  signals.circuit = readout::instrument_signals(ions.time, reading.at_rows);
+  signals.sampled_circuit = readout::sampled_instrument_signals(ions.time, interval, reading);
+  for (const circuits::InstrumentFigure& figure : reading.at_rows.figures) {
     signals.metrics.push_back({figure.name, figure.value, figure.unit});
   }
-  signals.warnings.insert(signals.warnings.end(), reading.warnings.begin(), reading.warnings.end());
+  signals.warnings.insert(signals.warnings.end(), reading.at_rows.warnings.begin(),
+                          reading.at_rows.warnings.end());
 }
 
-void add_terminals(const IonSolution& ions, Signals& signals) {
+void add_terminals(const IonSolution& ions, double interval, Signals& signals) {
   signals.circuit = readout::terminal_signals(
       ions.time, ions.voltage, readout::charge_difference(ions.charge_top, ions.charge_bottom));
+  signals.sampled_circuit = readout::sample_table(*signals.circuit, interval);
   signals.metrics.push_back({"peak_voltage", readout::peak_magnitude(ions.voltage), "V"});
   signals.metrics.push_back({"rms_voltage", readout::rms_linear(ions.time, ions.voltage), "V"});
 }
 
-void add_circuit(const circuits::Circuit& circuit, const IonSolution& ions, Signals& signals) {
+void add_circuit(const circuits::Circuit& circuit, const IonSolution& ions, double interval,
+                 Signals& signals) {
   if (circuit.read) {
-    add_instrument(circuit, ions, signals);
+    add_instrument(circuit, ions, interval, signals);
   } else if (circuit.admittance) {
-    add_terminals(ions, signals);
+    add_terminals(ions, interval, signals);
   }
 }
 
@@ -401,14 +412,27 @@ std::vector<Taxel> conductors_of(const Readout& readout) {
   return conductors;
 }
 
+/// The case of the cell below a conductor, read by the circuit of this conductor.
+Case cell_below(const Case& input, const Taxel& conductor) {
+  Case cell = input;
+  cell.skin.length = conductor.upper[0] - conductor.lower[0];
+  cell.skin.width = conductor.upper[1] - conductor.lower[1];
+  cell.readout.circuit = conductor.circuit;
+  cell.readout.parameters = conductor.parameters;
+  return cell;
+}
+
 /// Adds the noise of a reading of the taxel, or the line of a crossbar, with the largest signal.
-/// Voltages take precedence over currents.
+/// Voltages take precedence over currents. The current of the whole electrode is the sum of its
+/// readings, whose noise adds up by squares; for a crossbar the sum over the columns.
 void add_noise_of_taxel(const Case& input, const MechanicsRecord& mechanics,
                         const IonSolution& ions, Signals& signals) {
+  const double record = ions.time.back() - ions.time.front();
+  const std::vector<Taxel> conductors = conductors_of(input.readout);
   Taxel strongest;
   bool of_voltage = false;
   double peak = -1;
-  for (const Taxel& conductor : conductors_of(input.readout)) {
+  for (const Taxel& conductor : conductors) {
     const bool has_voltage = !circuits::circuit_row(conductor.circuit).holds_potential;
     const std::string column = (has_voltage ? "voltage_" : "current_circuit_") + conductor.name;
     const double largest = readout::peak_magnitude(signals.sampled_taxels->column(column).values);
@@ -416,14 +440,24 @@ void add_noise_of_taxel(const Case& input, const MechanicsRecord& mechanics,
       strongest = conductor, of_voltage = has_voltage, peak = largest;
     }
   }
-  Case taxel = input; // the cell below the taxel
-  taxel.skin.length = strongest.upper[0] - strongest.lower[0];
-  taxel.skin.width = strongest.upper[1] - strongest.lower[1];
-  taxel.readout.circuit = strongest.circuit;
-  taxel.readout.parameters = strongest.parameters;
-  const SampleNoise noise = sample_noise(taxel, peak, ions.time.back() - ions.time.front());
-  for (const auto& found : {precursor_metrics(input, mechanics, signals.resolved, 0.0),
-                            noise_metrics(noise, peak, of_voltage ? "V" : "A")}) {
+  const SampleNoise noise = sample_noise(cell_below(input, strongest), peak, record);
+  const auto area = [](const Taxel& of) {
+    return (of.upper[0] - of.lower[0]) * (of.upper[1] - of.lower[1]);
+  };
+  constexpr double rounding = 1e-9;
+  double squares = 0;
+  for (const Taxel& conductor : conductors) {
+    // Taxels of a grid are alike: one noise stands for all that have its circuit.
+    const bool alike = conductor.circuit == strongest.circuit &&
+                       conductor.parameters == strongest.parameters &&
+                       std::abs(area(conductor) - area(strongest)) < rounding * area(strongest);
+    const Case cell = cell_below(input, alike ? strongest : conductor);
+    const double own = current_noise(cell, alike ? noise : sample_noise(cell, peak, record));
+    squares += input.readout.is_crossbar() && conductor.name.starts_with('r') ? 0.0 : own * own;
+  }
+  for (const auto& found :
+       {precursor_metrics(input, mechanics, signals.resolved, std::sqrt(squares)),
+        noise_metrics(noise, peak, of_voltage ? "V" : "A")}) {
     signals.metrics.insert(signals.metrics.end(), found.begin(), found.end());
   }
 }
@@ -438,7 +472,7 @@ void add_noise(const Case& input, const MechanicsRecord& mechanics, const IonSol
                                  : value_of(signals.metrics, "peak_sampled_current_difference");
   const SampleNoise noise = sample_noise(input, peak, ions.time.back() - ions.time.front());
   for (const auto& found :
-       {precursor_metrics(input, mechanics, signals.resolved, of_voltage ? 0.0 : noise.total()),
+       {precursor_metrics(input, mechanics, signals.resolved, current_noise(input, noise)),
         noise_metrics(noise, peak, of_voltage ? "V" : "A")}) {
     signals.metrics.insert(signals.metrics.end(), found.begin(), found.end());
   }
@@ -478,25 +512,20 @@ Signals read_out(const Case& input, const MechanicsRecord& mechanics, const IonS
   if (!ions.metal_drop.empty()) {
     signals.metrics.push_back({"peak_metal_drop", std::ranges::max(ions.metal_drop), "V"});
   }
-  add_taxels(ions, moves_water, signals);
+  add_taxels(ions, moves_water, input.readout.sample_interval, signals);
   add_circuits_of_taxels(input.readout, ions, signals);
   if (moves_water) {
     add_water(input, circuit, mechanics, ions, signals);
   }
   if (!input.readout.is_cut()) {
-    add_circuit(circuit, ions, signals);
+    add_circuit(circuit, ions, input.readout.sample_interval, signals);
   }
-  const double interval = input.readout.sample_interval;
   if (signals.taxels) {
-    signals.sampled_taxels = readout::sample_table(*signals.taxels, interval);
     signals.metrics.push_back({"peak_sampled_taxel_current",
                                readout::largest_taxel_current(*signals.sampled_taxels), "A"});
     if (input.readout.is_cut()) {
       add_noise_of_taxel(input, mechanics, ions, signals);
     }
-  }
-  if (signals.circuit) {
-    signals.sampled_circuit = readout::sample_table(*signals.circuit, interval);
   }
   return signals;
 }

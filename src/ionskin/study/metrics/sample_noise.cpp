@@ -37,9 +37,10 @@ SampleNoise sample_noise(const Case& input, double peak, double record) {
   const double interval = input.readout.sample_interval;
   const double bandwidth =
       circuit.input_noise ? circuit.input_noise->bandwidth : bandwidth_over_rate / interval;
-  const double voltage_noise = circuit.input_noise ? 0.0 : instrument.voltage_noise;
-  const double current_noise =
-      circuit.input_noise ? circuit.input_noise->current : instrument.current_noise;
+  // A circuit with an amplifier of its own has the current noise that its key gives. The voltage
+  // noise of the instrument drives a current through the cell in either case.
+  const double own_current_noise = circuit.input_noise ? circuit.input_noise->current : 0.0;
+  const double current_noise = own_current_noise > 0 ? own_current_noise : instrument.current_noise;
   const electrochemistry::SmallSignalCell cell(input);
   const double area = input.skin.length * input.skin.width;
   // Transfer from one of voltage and current to the other, which is read: the admittance of the
@@ -49,8 +50,8 @@ SampleNoise sample_noise(const Case& input, double peak, double record) {
     const Complex own = area / cell.area_impedance(frequency);
     return circuit.admittance ? 1.0 / (own + admittance(*circuit.admittance, frequency)) : own;
   };
-  const double direct = circuit.admittance ? voltage_noise : current_noise,
-               turned = circuit.admittance ? current_noise : voltage_noise;
+  const double direct = circuit.admittance ? instrument.voltage_noise : current_noise,
+               turned = circuit.admittance ? current_noise : instrument.voltage_noise;
   const double thermal_power = 4 * constants::boltzmann * input.electrochemistry.temperature;
   const auto mean = [&](const auto& density) {
     return circuits::noise_of_mean(density, {interval, bandwidth, std::max(record, interval)});
@@ -60,6 +61,16 @@ SampleNoise sample_noise(const Case& input, double peak, double record) {
             return direct * direct + std::norm(turned * transfer(frequency));
           }),
           circuits::quantisation_noise(instrument, peak)};
+}
+
+double current_noise(const Case& input, const SampleNoise& noise) {
+  const circuits::Circuit circuit =
+      circuits::circuit(input.readout.circuit, input.readout.parameters);
+  if (!circuit.admittance) {
+    return noise.total();
+  }
+  return noise.total() * (1 / circuit.admittance->resistance +
+                          circuit.admittance->capacitance / input.readout.sample_interval);
 }
 
 std::vector<readout::Metric> noise_metrics(const SampleNoise& noise, double peak,

@@ -28,6 +28,11 @@ struct SampleNoise {
 /// @param record length of the run [s]
 SampleNoise sample_noise(const Case& input, double peak, double record);
 
+/// Noise of the current that follows from one reading [A]: the noise itself where a current is
+/// read; that of a voltage times the admittance of the resistor and capacitor of the circuit, with
+/// the change of the capacitor's charge within an interval; 0 if nothing joins the electrodes.
+double current_noise(const Case& input, const SampleNoise& noise);
+
 /// Metrics of the noise: its parts, its total, and the signal-to-noise ratio, the peak over the
 /// total.
 /// @param peak of the sampled signal [unit]

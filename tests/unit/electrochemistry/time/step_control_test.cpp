@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 namespace ionskin::electrochemistry {
 namespace {
@@ -115,13 +116,28 @@ TEST(EstimatedSteps, FollowTheToleranceAndTheLandings) {
   const StepLandings landings{{0.0, 1.0, 3.0}, {true, true, false}, {false, false, false}};
   const StepRule doubling{1e-4, 0.1, 0.5, 0, 1e-12, 2.0, 1e-3};
   // 0.1, 0.2, 0.4 and 0.5; again 0.1 and 0.2, then seven of 0.25.
-  EXPECT_EQ(estimate_steps(landings, doubling, {1.0, 0.25}), 4U + 9U);
+  EXPECT_EQ(estimate_steps(landings, doubling, 1.0, {1.0, 0.25}), 4U + 9U);
 }
 
 TEST(EstimatedSteps, AreCountedAtOnceHoweverMany) {
   const StepLandings landings{{0.0, 1e7}, {true, true}, {false, false}};
   const StepRule rule{1e-4, 1e-15, 0.5, 0, 1e-12, 2.0, 1e-3};
-  EXPECT_GE(estimate_steps(landings, rule, {1e-15}), 1'000'000'000'000U);
+  EXPECT_GE(estimate_steps(landings, rule, 1.0, {1e-15}), 1'000'000'000'000U);
+}
+
+TEST(EstimatedSteps, LengthenWithTheTimeSinceTheEvent) {
+  constexpr double endless = std::numeric_limits<double>::infinity();
+  const StepLandings landings{{0.0, 1e7}, {true, false}, {false, false}};
+  const StepRule rule{1e-4, 0.1, 0.5, 0.05, 1e-12, 2.0, 1e-3};
+  // Some 22 steps of 0.5 s in 10 s, then each a twentieth of the time: ln(1e6)/ln(1.05) = 283.
+  EXPECT_NEAR(static_cast<double>(estimate_steps(landings, rule, 1.0, {endless})), 22 + 283, 3);
+  // The edges of the slider cross columns: a step takes at most 100 s.
+  EXPECT_NEAR(static_cast<double>(estimate_steps(landings, rule, 1.0, {100.0})),
+              22 + std::log(200) / std::log(1.05) + 1e5 - 20, 5);
+  // Far from the beginning of the run, where a step is lost in its time.
+  const StepLandings late{{0.0, 1e7, 2e7}, {true, true, false}, {false, false, false}};
+  const StepRule short_steps{1e-4, 1e-13, 1e-12, 0.05, 1e-16, 2.0, 1e-3};
+  EXPECT_LT(estimate_steps(late, short_steps, 1.0, {endless, endless}), 3000U);
 }
 
 } // namespace

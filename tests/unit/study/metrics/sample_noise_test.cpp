@@ -55,6 +55,34 @@ TEST(SampleNoise, OfAnAmplifierIsItsVoltageOverTheResistance) {
               1e-12 * noise.total());
 }
 
+TEST(SampleNoise, OfAnAmplifierCircuitHasTheVoltageNoiseOfItsInstrument) {
+  Case input = resistive_case("ad8605");
+  const double through_cell = sample_noise(input, 1e-6, record_time).amplifier;
+  input.readout.circuit = "amplifier";
+  input.readout.parameters = {{"amplifier_bandwidth", 10 / sample_time},
+                              {"amplifier_noise_density", 0},
+                              {"amplifier_range", 0},
+                              {"noise_seed", 1}};
+  EXPECT_NEAR(sample_noise(input, 1e-6, record_time).amplifier / through_cell, 1, 1e-9);
+  input.readout.parameters["amplifier_noise_density"] = 1e-9;
+  EXPECT_NEAR(sample_noise(input, 1e-6, record_time).amplifier /
+                  std::hypot(through_cell, mean_of_white(1e-9)),
+              1, 1e-3);
+  input.readout.instrument = "ideal";
+  EXPECT_NEAR(sample_noise(input, 1e-6, record_time).amplifier / mean_of_white(1e-9), 1, 1e-9);
+}
+
+TEST(SampleNoise, OfAVoltageIsACurrentThroughTheResistorAndCapacitor) {
+  Case input = resistive_case("ad8605");
+  const SampleNoise noise{3e-9, 4e-9, 0};
+  EXPECT_EQ(current_noise(input, noise), noise.total());
+  input.readout.circuit = "open";
+  EXPECT_EQ(current_noise(input, noise), 0);
+  input.readout.circuit = "parallel-rc";
+  input.readout.parameters = {{"load_resistance", 1e3}, {"load_capacitance", 1e-8}};
+  EXPECT_NEAR(current_noise(input, noise), 5e-9 * (1e-3 + 1e-8 / sample_time), 1e-17);
+}
+
 TEST(SampleNoise, OfAnOpenCellIsAVoltage) {
   Case input = resistive_case("ad8605");
   input.readout.circuit = "open";
