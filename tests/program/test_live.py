@@ -335,6 +335,16 @@ class LiveTest(ProgramTest):
         self.assertGreaterEqual(first["heights"].min(), -skin.range.indentation)
         with self.assertRaisesRegex(ValueError, "interval: 0 s is not above 0"):
             skin.random_touch(interval=0)
+        ionskin.live.touch_path(first).write(self.folder / "touch.csv")
+        rows = numpy.genfromtxt(self.folder / "touch.csv", delimiter=",", skip_header=1)
+        numpy.testing.assert_allclose(rows[:, 0], first["times"] - 1e-3, atol=1e-9)
+        numpy.testing.assert_allclose(rows[:, 3], 1e3 * first["heights"], atol=1e-6)
+        self.assertTrue(numpy.isnan(rows[:, 4]).all())
+        pressed = {"times": [0.001, 0.002, 0.003], "positions": numpy.ones((3, 2)), "forces": [0, 0.5, 0], "angles": [[0, 0, 0.1]] * 3}
+        ionskin.live.touch_path(pressed).write(self.folder / "pressed.csv")
+        self.assertEqual((self.folder / "pressed.csv").read_text().splitlines()[1:3],
+                         ["0.000000000,1000.000000,1000.000000,0.100000,,0.000000,0.000000,5.729578",
+                          "0.001000000,1000.000000,1000.000000,,0.5,0.000000,0.000000,5.729578"])
 
     def test_knows_where_its_taxels_are(self):
         skin = ionskin.live.Skin(self.trained)

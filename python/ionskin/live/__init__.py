@@ -14,6 +14,7 @@ from .signals import (OUTSIDE_LOAD, OUTSIDE_PLACE, OUTSIDE_POSE, OUTSIDE_SPEED, 
                       LiveSkinWarning, Range, SignalError, Signals)
 from .skin import Skin
 from .skins import Skins
+from .touch_path import touch_path
 
 __all__ = ["OUTSIDE_LOAD", "OUTSIDE_PLACE", "OUTSIDE_POSE", "OUTSIDE_SPEED", "PULLED", "REFUSED", "TOO_NEAR",
-           "UNCONVERGED", "Fingers", "LiveSkinWarning", "Range", "SignalError", "Signals", "Skin", "Skins"]
+           "UNCONVERGED", "Fingers", "LiveSkinWarning", "Range", "SignalError", "Signals", "Skin", "Skins", "touch_path"]

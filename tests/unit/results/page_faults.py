@@ -49,6 +49,12 @@ FAULTS = r"""(() => {
       found.push(`sideways: ${element.tagName.toLowerCase()} ${words(element.textContent)}`);
     }
   }
+  for (const card of document.querySelectorAll(".card")) {
+    const right = card.getBoundingClientRect().right - parseFloat(getComputedStyle(card).paddingRight);
+    for (const part of card.children) {
+      if (part.getBoundingClientRect().left + part.scrollWidth > right + 1) found.push(`out of its card: "${words(part.textContent)}"`);
+    }
+  }
   if (root.scrollWidth > root.clientWidth) found.push(`sideways: the page, ${root.scrollWidth} of ${root.clientWidth} pixels`);
   for (const holder of document.querySelectorAll("figure, .chart, #charts, #trend")) {
     if (!holder.querySelector("svg, img") && !hidden(holder)) found.push(`empty: ${holder.id || holder.className || holder.getAttribute("aria-label")}`);
