@@ -307,6 +307,10 @@ struct Readout {
   std::string circuit = "short";
   /// Instrument whose noise is estimated, a name from the table in circuits/instruments.cpp.
   std::string instrument = "ad8605";
+  /// White voltage noise [V/sqrt(Hz)] and current noise [A/sqrt(Hz)] at the input, one-sided, and
+  /// bits of the converter, instead of those of the named instrument where they are given.
+  std::optional<double> instrument_voltage_noise, instrument_current_noise;
+  std::optional<int> instrument_bits;
   /// Parameters of circuits by name [SI]: all that the case gives, among them those of the chosen
   /// circuits.
   laws::LawValues parameters;

@@ -25,6 +25,8 @@ const std::map<Dimension, DimensionInfo>& table() {
       {Dimension::current, {"an electric current", "A", {"mA", "uA", "nA", "A"}}},
       {Dimension::current_noise_density,
        {"a current noise density", "A/sqrt(Hz)", {"pA/sqrt(Hz)", "nA/sqrt(Hz)", "fA/sqrt(Hz)"}}},
+      {Dimension::voltage_noise_density,
+       {"a voltage noise density", "V/sqrt(Hz)", {"nV/sqrt(Hz)", "uV/sqrt(Hz)"}}},
       {Dimension::area, {"an area", "m2", {"m2", "nm2", "um2"}}},
       {Dimension::viscosity, {"a viscosity", "Pa s", {"mPa s", "Pa s"}}},
       {Dimension::hydraulic_mobility,

@@ -22,6 +22,7 @@ enum class Dimension {
   frequency,
   current,
   current_noise_density,
+  voltage_noise_density,
   area,
   viscosity,
   hydraulic_mobility,

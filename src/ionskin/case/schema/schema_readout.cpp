@@ -136,6 +136,34 @@ void add_instrument(SchemaRows& rows) {
                                       alternatives(table, &circuits::Instrument::meaning)),
                   .source = std::string(table.front().source),
                   .set = into(&Case::readout, &Readout::instrument)});
+  const auto noise = [](const std::string& kind, Dimension dimension, double highest,
+                        std::optional<double> Readout::*member) {
+    return SchemaRow{
+        .key = "readout.instrument_" + kind + "_noise",
+        .type = ValueType::quantity,
+        .dimension = dimension,
+        .range = {0, highest, true, true},
+        .need = Need::where_known,
+        .help = fmt::format("Density of the white {} noise at the input of the instrument, "
+                            "one-sided, instead of that of readout.instrument.",
+                            kind),
+        .set = [member](CaseDraft& draft, const KeyIndex&, const Value& value) {
+          draft.input.readout.*member = value.numbers[0];
+        }};
+  };
+  rows.push_back(
+      noise("voltage", Dimension::voltage_noise_density, 1, &Readout::instrument_voltage_noise));
+  rows.push_back(
+      noise("current", Dimension::current_noise_density, 1, &Readout::instrument_current_noise));
+  rows.push_back({.key = "readout.instrument_bits",
+                  .type = ValueType::integer,
+                  .range = {0, 64, true, true},
+                  .need = Need::where_known,
+                  .help = "Bits of the converter, instead of those of readout.instrument; 0 for "
+                          "one that does not round.",
+                  .set = [](CaseDraft& draft, const KeyIndex&, const Value& value) {
+                    draft.input.readout.instrument_bits = static_cast<int>(value.numbers[0]);
+                  }});
 }
 
 void add_taxels(SchemaRows& rows) {

@@ -20,6 +20,15 @@ using Complex = std::complex<double>;
 /// Bandwidth of an averaging instrument without a bandwidth of its own, over its sampling rate [1].
 constexpr double bandwidth_over_rate = 10;
 
+/// The named instrument, with the numbers that the case gives itself.
+circuits::Instrument instrument_of(const Readout& readout) {
+  circuits::Instrument result = circuits::instrument(readout.instrument);
+  result.voltage_noise = readout.instrument_voltage_noise.value_or(result.voltage_noise);
+  result.current_noise = readout.instrument_current_noise.value_or(result.current_noise);
+  result.bits = readout.instrument_bits.value_or(result.bits);
+  return result;
+}
+
 Complex admittance(const circuits::Admittance& beside, double frequency) {
   return {1 / beside.resistance, 2 * std::numbers::pi * frequency * beside.capacitance};
 }
@@ -33,7 +42,7 @@ double SampleNoise::total() const {
 SampleNoise sample_noise(const Case& input, double peak, double record) {
   const circuits::Circuit circuit =
       circuits::circuit(input.readout.circuit, input.readout.parameters);
-  const circuits::Instrument& instrument = circuits::instrument(input.readout.instrument);
+  const circuits::Instrument instrument = instrument_of(input.readout);
   const double interval = input.readout.sample_interval;
   const double bandwidth =
       circuit.input_noise ? circuit.input_noise->bandwidth : bandwidth_over_rate / interval;

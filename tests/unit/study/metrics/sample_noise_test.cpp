@@ -72,6 +72,19 @@ TEST(SampleNoise, OfAnAmplifierCircuitHasTheVoltageNoiseOfItsInstrument) {
   EXPECT_NEAR(sample_noise(input, 1e-6, record_time).amplifier / mean_of_white(1e-9), 1, 1e-9);
 }
 
+TEST(SampleNoise, TakesTheInstrumentsNumbersOfTheCase) {
+  Case input = resistive_case("ad8605");
+  input.readout.instrument_voltage_noise = 40e-9;
+  input.readout.instrument_current_noise = 0;
+  input.readout.instrument_bits = 12;
+  const SampleNoise noise = sample_noise(input, 1e-6, record_time),
+                    named = sample_noise(resistive_case("ad8605"), 1e-6, record_time);
+  EXPECT_NEAR(noise.amplifier / mean_of_white(40e-9 / resistance(input)), 1, 0.02);
+  EXPECT_NEAR(noise.quantisation / named.quantisation, 16, 1e-9);
+  input.readout.instrument_bits = 0;
+  EXPECT_EQ(sample_noise(input, 1e-6, record_time).quantisation, 0);
+}
+
 TEST(SampleNoise, OfAVoltageIsACurrentThroughTheResistorAndCapacitor) {
   Case input = resistive_case("ad8605");
   const SampleNoise noise{3e-9, 4e-9, 0};
