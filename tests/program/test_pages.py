@@ -97,7 +97,7 @@ class Pages(ProgramTest):
     def look(self, path):
         """The page opens with what can be read, names every number, and has no fault at any width."""
         text = path.read_text()
-        self.assertRegex(text, r'<p class="lead">(An ammeter|A voltmeter|Between the electrodes|The amplifier|Of \d+ taxels) ')
+        self.assertRegex(text, r'<p class="lead">(An ammeter|An amplifier|A voltmeter|Between the electrodes|The amplifier|Of \d+ taxels) ')
         self.assertNotIn(str(self.folder), text)
         names = re.findall(r"<td><code>([^<]*)</code></td>", text)
         self.assertGreater(len(names), 5)
