@@ -6,14 +6,12 @@ import pathlib
 
 import numpy
 
-from . import output_folder
-from .drawing import style  # first: it imports matplotlib without the settings of the working folder
+from .drawing import making, style  # first: they import matplotlib without the settings of the working folder
 from .errors import exit_on
 from .results import read_table
 
 from matplotlib.ticker import EngFormatter, MultipleLocator  # isort: skip
 
-PNG_DPI = 180
 MARKED = 4  # decades that stand beside the Nyquist curve, at most
 
 
@@ -70,11 +68,11 @@ def bode(spectrum):
 
 
 def draw(folder):
-    """Draws impedance.csv of a folder into its figures/nyquist.png and figures/bode.png."""
+    """Draws impedance.csv of a folder into figures/nyquist and figures/bode of this folder, each as .png, .svg and .pdf."""
     folder = pathlib.Path(folder)
     spectrum = read_table(folder / "impedance.csv")
     for name, figure in (("nyquist", nyquist(spectrum)), ("bode", bode(spectrum))):
-        output_folder.save(figure, folder / "figures" / f"{name}.png", dpi=PNG_DPI)
+        making.save(figure, folder / "figures", {name: making.ALL})
 
 
 def main():

@@ -193,6 +193,22 @@ void warn_about_strong_coupling(const Case& input, const electrochemistry::IonSo
   }
 }
 
+/// Warns where the double layers of both electrodes overlap.
+void warn_about_thin_core(const Case& input, std::vector<std::string>& warnings) {
+  constexpr double separate = 10; // Debye lengths; e^-5 of the potential of a wall in the middle
+  const double thickness = input.skin.core_thickness(),
+               length =
+                   electrochemistry::derive_scales(input.electrochemistry, thickness).debye_length;
+  if (thickness < separate * length) {
+    warnings.push_back(fmt::format(
+        "The core is only {:.3g} Debye lengths of {:.3g} um thick, so that the double layers of "
+        "both electrodes overlap, and the scales of check --explain (capacitance, charging time) "
+        "do "
+        "not hold. Check the unit of the core's thickness and electrochemistry.permittivity.",
+        thickness / length, length * 1e6));
+  }
+}
+
 void warn_about_pressure(const Slider& slider, const SliderRecord& record,
                          std::vector<std::string>& warnings) {
   if (!record.normal_force.empty() && slider.sharp()) {
@@ -228,6 +244,7 @@ std::vector<std::string> collect_warnings(const Case& input, const MechanicsReco
                                           const readout::SignalTable& signals) {
   std::vector<std::string> warnings;
   warn_about_strong_coupling(input, ions, signals, warnings);
+  warn_about_thin_core(input, warnings);
   warn_about_water(input, ions, warnings);
   warn_about_common_current(input, signals, warnings);
   for (std::string& warning : mechanics_warnings(input, mechanics)) {

@@ -51,6 +51,12 @@ TEST_F(WarningsTest, SaysHowNonlinearTheResponseIs) {
   EXPECT_TRUE(any_holds(collect_warnings(input, mechanics, ions, signals), "nonlinear"));
 }
 
+TEST_F(WarningsTest, SaysThatDoubleLayersOverlap) {
+  EXPECT_FALSE(any_holds(collect_warnings(input, mechanics, ions, signals), "Debye lengths"));
+  input.electrochemistry.permittivity *= 1e6;
+  EXPECT_TRUE(any_holds(collect_warnings(input, mechanics, ions, signals), "Debye lengths"));
+}
+
 TEST_F(WarningsTest, SaysWhereTheLawOfTheWaterEnds) {
   input.coupling = {};
   input.coupling.law = "poroelastic";
