@@ -340,6 +340,11 @@ class LiveTest(ProgramTest):
         numpy.testing.assert_allclose(rows[:, 0], first["times"] - 1e-3, atol=1e-9)
         numpy.testing.assert_allclose(rows[:, 3], 1e3 * first["heights"], atol=1e-6)
         self.assertTrue(numpy.isnan(rows[:, 4]).all())
+        longer = ionskin.live.touch_path(first, skin)
+        self.assertEqual(longer.height[-4:].round(9).tolist(), [1e-4, *[round(-skin.range.indentation, 9)] * 2, 1e-4])
+        numpy.testing.assert_array_equal(longer.position[-4:], [skin.range.lowest] * 2 + [skin.range.highest] * 2)
+        speed = numpy.hypot(*(longer.position[-2] - longer.position[-3])) / (longer.time[-2] - longer.time[-3])
+        self.assertLessEqual(speed, skin.range.speed * (1 + 1e-9))
         pressed = {"times": [0.001, 0.002, 0.003], "positions": numpy.ones((3, 2)), "forces": [0, 0.5, 0], "angles": [[0, 0, 0.1]] * 3}
         ionskin.live.touch_path(pressed).write(self.folder / "pressed.csv")
         self.assertEqual((self.folder / "pressed.csv").read_text().splitlines()[1:3],

@@ -6,23 +6,38 @@ from collections.abc import Mapping
 import numpy
 
 CLEARANCE = 1e-4  # height off the skin while a force of 0 means no contact [m]
+PAUSE, LANDING = 0.5, 0.5  # s
+USUAL_SPEED = 3e-3  # of a skin that was trained without strokes [m/s]
 
 
-def touch_path(touch: Mapping):
+def touch_path(touch: Mapping, skin=None):
     """Makes the `ionskin.reading.recording.Path` of a touch, whose `write` writes the CSV file for the key motion.file of a case.
 
     touch  mapping with the arguments of `Skin.run`, such as `Skin.random_touch` returns it
+    skin   Skin; None to leave out what follows. Behind the touch, the slider goes through the trained range under the largest
+           trained load. Under a round slider, a full run of the path then has the contact cells of the live skin.
 
     Time begins at 0 s with the first step. Angles that are all 0 are left out.
     """
     from ..reading.recording.path import Path  # a controller reads no recordings
 
     times, positions = (numpy.asarray(touch[name], dtype=float) for name in ("times", "positions"))
-    if touch.get("forces") is not None:
-        forces = numpy.asarray(touch["forces"], dtype=float)
-        heights, forces = numpy.where(forces > 0, numpy.nan, CLEARANCE), numpy.where(forces > 0, forces, numpy.nan)
-    else:
-        heights = numpy.asarray(touch["heights"], dtype=float)
-        forces = numpy.full(len(times), numpy.nan)
+    times = times - times[0]
+    by_force = touch.get("forces") is not None
+    loads = numpy.asarray(touch["forces" if by_force else "heights"], dtype=float)
     angles = touch.get("angles")
-    return Path(times - times[0], positions, heights, forces, [], angles if numpy.any(angles) else None)
+    angles = numpy.asarray(angles, dtype=float) if numpy.any(angles) else None
+    if skin is not None:
+        low, high, load = skin.range.lowest, skin.range.highest, skin.range.force if by_force else -skin.range.indentation
+        off = 0.0 if by_force else CLEARANCE
+        stroke = max(LANDING, numpy.hypot(high[0] - low[0], high[1] - low[1]) / (skin.range.speed or USUAL_SPEED))
+        times = numpy.concatenate([times, times[-1] + numpy.cumsum([PAUSE, LANDING, stroke, LANDING])])
+        positions = numpy.vstack([positions, low, low, high, high])
+        loads = numpy.concatenate([loads, [off, load, load, off]])
+        angles = None if angles is None else numpy.vstack([angles, numpy.zeros((4, 3))])
+    if by_force:
+        pressed = loads > 0
+        heights, forces = numpy.where(pressed, numpy.nan, CLEARANCE), numpy.where(pressed, loads, numpy.nan)
+    else:
+        heights, forces = loads, numpy.full(len(times), numpy.nan)
+    return Path(times, positions, heights, forces, [], angles)
