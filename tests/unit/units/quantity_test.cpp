@@ -51,6 +51,8 @@ INSTANTIATE_TEST_SUITE_P(
         Good{"1 MOhm", Dimension::resistance, 1e6}, Good{"4.7 kΩ", Dimension::resistance, 4700},
         Good{"0.01Hz", Dimension::frequency, 0.01}, Good{"1kHz", Dimension::frequency, 1e3},
         Good{"2 1/s", Dimension::frequency, 2}, Good{"10 mA", Dimension::current, 0.01},
+        Good{"0.5 ohm/sq", Dimension::resistance, 0.5},
+        Good{"20 mOhm/square", Dimension::resistance, 0.02},
         Good{"8 nV/sqrt(Hz)", Dimension::voltage_noise_density, 8e-9},
         Good{"5 pA/sqrt(Hz)", Dimension::current_noise_density, 5e-12},
         Good{"5 fA/√Hz", Dimension::current_noise_density, 5e-15},
