@@ -307,6 +307,9 @@ class Draw:
             readout |= {"amplifier_bandwidth": self.quantity(50, 5000, "Hz"), "noise_seed": self.rng.randint(1, 1000),
                         "amplifier_noise_density": self.quantity(1e-15, 1e-12, "A/sqrt(Hz)"),
                         "amplifier_range": self.quantity(1e-6, 1e-3, "A")}
+        if self.maybe(0.3):
+            readout |= {"instrument_voltage_noise": self.quantity(1e-9, 1e-7, "V/sqrt(Hz)"), "instrument_bits": self.rng.randint(8, 24),
+                        "instrument_current_noise": self.quantity(1e-16, 1e-12, "A/sqrt(Hz)")}
         if not self.prescribed and self.maybe(0.3):
             readout["taxels"] = {"rows": self.rng.randint(1, 2), "columns": self.rng.randint(2, 4), "gap": self.quantity(0.05, 0.2, "mm")}
         elif not self.prescribed and self.maybe(0.2):

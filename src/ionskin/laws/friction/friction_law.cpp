@@ -75,11 +75,18 @@ template <class Law> FrictionLaw friction_row(std::string_view name) {
 } // namespace
 
 bool is_proportional(const Friction& friction) {
-  // Pressures at which a limit that saturates with pressure has left its proportional part.
-  constexpr double pressure = 1e8, twice = 2 * pressure;
-  return !friction.rate_dependent && friction.elastic_slip == 0 &&
-         2 * friction.limit({.normal_traction = pressure}) ==
-             friction.limit({.normal_traction = twice});
+  if (friction.rate_dependent || friction.elastic_slip != 0) {
+    return false;
+  }
+  // Factors of 2 leave a proportional limit exact; a law may change its coefficient anywhere.
+  constexpr double lowest = 1, highest = 1e12; // Pa
+  for (double pressure = lowest; pressure < highest; pressure *= 2) {
+    if (2 * friction.limit({.normal_traction = pressure}) !=
+        friction.limit({.normal_traction = 2 * pressure})) {
+      return false;
+    }
+  }
+  return true;
 }
 
 std::span<const FrictionLaw> friction_laws() {

@@ -34,10 +34,27 @@ namespace {
 
 using electrochemistry::IonSolution;
 
+/// Replaces values between a sample without contact and the next one, which has contact, by the
+/// value of the latter: the underside of a flat slider touches as a whole at once.
+/// @param time, area of the samples [s], [m2]
+/// @param samples of the quantity, linear in time between other samples
+void touch_at_once(const std::vector<double>& time, const std::vector<double>& area,
+                   const std::vector<double>& samples, const readout::SliderInputs& inputs,
+                   const std::vector<double>& row_time, std::vector<double>& values) {
+  for (std::size_t row = 0; row < values.size(); ++row) {
+    const auto next =
+        static_cast<std::size_t>(std::ranges::upper_bound(time, row_time[row]) - time.begin());
+    if (next > 0 && next < time.size() && area[next - 1] == 0 && area[next] > 0 &&
+        inputs.normal_force[row] > 0) {
+      values[row] = samples[next];
+    }
+  }
+}
+
 /// Adds share and state of stick. Sticking and contact area are interpolated between the samples;
 /// their ratio is not linear, and jumps where the slider lands.
-template <class AtRows>
-void add_stick(const SliderRecord& record, const AtRows& at_rows, readout::SliderInputs& inputs) {
+template <class AtArea>
+void add_stick(const SliderRecord& record, const AtArea& at_rows, readout::SliderInputs& inputs) {
   std::vector<double> stuck = record.stick_share;
   for (std::size_t i = 0; i < stuck.size(); ++i) {
     stuck[i] *= record.contact_area[i];
@@ -51,8 +68,11 @@ void add_stick(const SliderRecord& record, const AtRows& at_rows, readout::Slide
 }
 
 /// Adds the forces of a slider at the instants of the rows.
+/// @param time of the samples [s]
 template <class AtRows>
-void add_forces(const SliderRecord& record, const AtRows& at_rows, readout::SliderInputs& inputs) {
+void add_forces(const Slider& slider, const std::vector<double>& time, const SliderRecord& record,
+                const AtRows& at_rows, const std::vector<double>& row_time,
+                readout::SliderInputs& inputs) {
   inputs.slider_z = at_rows(record.slider_z);
   inputs.normal_force = at_rows(record.normal_force);
   inputs.tangential_force = at_rows(record.tangential_force);
@@ -61,9 +81,17 @@ void add_forces(const SliderRecord& record, const AtRows& at_rows, readout::Slid
   inputs.moment_x = at_rows(record.moment_x);
   inputs.moment_y = at_rows(record.moment_y);
   inputs.moment_z = at_rows(record.moment_z);
-  inputs.contact_area = at_rows(record.contact_area);
   inputs.slip = at_rows(record.slip);
-  add_stick(record, at_rows, inputs);
+  const bool at_once = slider.sharp() && !slider.changing.any();
+  const auto area_at_rows = [&](const std::vector<double>& samples) {
+    std::vector<double> values = at_rows(samples);
+    if (at_once) {
+      touch_at_once(time, record.contact_area, samples, inputs, row_time, values);
+    }
+    return values;
+  };
+  inputs.contact_area = area_at_rows(record.contact_area);
+  add_stick(record, area_at_rows, inputs);
 }
 
 /// Adds motion and forces of the sliders after the first.
@@ -75,7 +103,8 @@ void add_further_sliders(const Case& input, const MechanicsRecord& mechanics, co
     readout::SignalInputs own;
     own.time = inputs.time;
     readout::add_motion(own, further.motion, further.slider);
-    add_forces(mechanics.further_sliders[i], at_rows, own);
+    add_forces(further.slider, mechanics.history.time, mechanics.further_sliders[i], at_rows,
+               inputs.time, own);
     inputs.further_sliders.push_back(std::move(own));
   }
 }
@@ -95,7 +124,7 @@ readout::SignalInputs mechanical_inputs(const Case& input, const MechanicsRecord
       }
       return values;
     };
-    add_forces(mechanics, at_rows, inputs);
+    add_forces(input.slider, mechanics.history.time, mechanics, at_rows, time, inputs);
     add_further_sliders(input, mechanics, at_rows, inputs);
     if (!mechanics.drive_force_x.empty()) {
       // The motion of the case moves the end of the drive; the slider follows as it was solved.

@@ -17,5 +17,15 @@ TEST(FrictionLaw, IsProportionalWhereTheLimitIsACoefficientTimesThePressure) {
       "stribeck", 0.3, {{"kinetic_friction", 0.2}, {"stribeck_speed", 1e-3}, {"lag_time", 5e-3}})));
 }
 
+TEST(FrictionLaw, IsNotProportionalWhereTheCoefficientChangesAtAnyPressure) {
+  for (const double change : {3e2, 3e5, 3e10}) {
+    Friction softening = friction("coulomb", 0.3, {});
+    softening.limit = [change](const FrictionArguments& at) {
+      return (at.normal_traction < change ? 0.3 : 0.2) * at.normal_traction;
+    };
+    EXPECT_FALSE(is_proportional(softening)) << change;
+  }
+}
+
 } // namespace
 } // namespace ionskin::laws
