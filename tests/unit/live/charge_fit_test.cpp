@@ -25,7 +25,7 @@ ChargeRecord relaxing(double rate) {
 
 TEST(ChargeFit, FindsRateAndWeights) {
   const std::vector<ChargeRecord> records{relaxing(3)};
-  const auto rates = choose_rates(records, 1, {0.1, 0.5, 3, 20, 100}, 1, 1);
+  const auto rates = choose_rates({{records, 1}}, {0.1, 0.5, 3, 20, 100}, 1, 1);
   ASSERT_EQ(rates, std::vector<double>{3});
   const ChargeModel model = fit_charges(records, 1, rates).model;
   EXPECT_NEAR(model.direct[0], 2, 1e-6);
@@ -38,11 +38,11 @@ TEST(ChargeFit, TakesAsManyRatesAsUnseenRowsNeed) {
   ChargeRecord both = relaxing(3);
   const ChargeRecord fast = relaxing(20);
   const std::vector<double> candidates{0.1, 0.5, 3, 20, 100};
-  EXPECT_EQ(choose_rates({both}, 1, candidates, 1, 4), std::vector<double>{3});
+  EXPECT_EQ(choose_rates({{{both}, 1}}, candidates, 1, 4), std::vector<double>{3});
   for (std::size_t i = 0; i < both.time.size(); ++i) {
     both.charge[0][i] += 0.5 * fast.charge[0][i];
   }
-  EXPECT_EQ(choose_rates({both}, 1, candidates, 1, 4), (std::vector<double>{3, 20}));
+  EXPECT_EQ(choose_rates({{{both}, 1}}, candidates, 1, 4), (std::vector<double>{3, 20}));
 }
 
 TEST(ChargeFit, TellsWhatSpreadsFromWhatItsOwnShearDrives) {

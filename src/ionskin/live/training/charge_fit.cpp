@@ -138,15 +138,30 @@ std::vector<std::size_t> all_of(const std::vector<double>& rates) {
 
 } // namespace
 
-std::vector<double> choose_rates(const std::vector<ChargeRecord>& records, std::size_t inputs,
+std::vector<double> choose_rates(const std::vector<ChargeGroup>& groups,
                                  const std::vector<double>& candidates, std::size_t least,
                                  std::size_t most) {
-  const Normal fitted = normal_equations(records, inputs, candidates, 0, fitted_share),
-               unseen = normal_equations(records, inputs, candidates, fitted_share, 1);
+  std::vector<Normal> fitted, unseen;
+  for (const ChargeGroup& group : groups) {
+    fitted.push_back(normal_equations(group.records, group.inputs, candidates, 0, fitted_share));
+    unseen.push_back(normal_equations(group.records, group.inputs, candidates, fitted_share, 1));
+  }
+  // Sum over the groups of the squared error over the square of the charges, on some rows, of the
+  // fit to the fitted rows.
+  const auto error_on = [&](const std::vector<Normal>& rows,
+                            const std::vector<std::size_t>& rates) {
+    double sum = 0;
+    for (std::size_t i = 0; i < groups.size(); ++i) {
+      const Fit fit = fit_with(fitted[i], groups[i].inputs, rates);
+      sum += std::max(0.0, left_of(rows[i], fit.columns, fit.weights)) /
+             std::max(rows[i].square, std::numeric_limits<double>::min());
+    }
+    return sum;
+  };
   std::vector<std::size_t> chosen, enough;
   double error = std::numeric_limits<double>::infinity();
   while (chosen.size() < std::min(most, candidates.size()) &&
-         (chosen.size() < least || error > negligible_error * std::sqrt(unseen.square))) {
+         (chosen.size() < least || error > negligible_error)) {
     std::size_t best = 0;
     double smallest = std::numeric_limits<double>::infinity();
     for (std::size_t candidate = 0; candidate < candidates.size(); ++candidate) {
@@ -154,8 +169,7 @@ std::vector<double> choose_rates(const std::vector<ChargeRecord>& records, std::
         continue;
       }
       chosen.push_back(candidate);
-      const Fit fit = fit_with(fitted, inputs, chosen);
-      const double left = left_of(fitted, fit.columns, fit.weights);
+      const double left = error_on(fitted, chosen);
       chosen.pop_back();
       if (left < smallest) {
         smallest = left;
@@ -163,8 +177,7 @@ std::vector<double> choose_rates(const std::vector<ChargeRecord>& records, std::
       }
     }
     chosen.push_back(best);
-    const Fit fit = fit_with(fitted, inputs, chosen);
-    const double now = std::sqrt(std::max(0.0, left_of(unseen, fit.columns, fit.weights)));
+    const double now = std::sqrt(error_on(unseen, chosen));
     if (chosen.size() <= least ||
         now < std::pow(worthwhile, chosen.size() - enough.size()) * error) {
       enough = chosen;

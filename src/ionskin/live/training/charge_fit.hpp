@@ -21,15 +21,21 @@ struct ChargeRecord {
   std::vector<double> spread;
 };
 
+/// Records that one charge model fits: of the whole electrode in all runs, or of all taxels.
+struct ChargeGroup {
+  std::vector<ChargeRecord> records;
+  std::size_t inputs = 0; ///< number of inputs of a record
+};
+
 /// Chooses the rates of the first-order states from some candidates, one after the other, each so
-/// that the charges of the records are fitted best [1/s]. The fit uses the first two thirds of the
-/// rows; beyond `least` rates, more are taken as long as each lowers the error on the last third by
-/// a tenth.
-/// @param inputs number of inputs of a record
+/// that the charges of all groups are fitted best [1/s]. Each group counts by its error over the
+/// size of its own charges: the charge of the electrode may be a small remainder of those of the
+/// taxels. The fit uses the first two thirds of the rows; beyond `least` rates, more are taken as
+/// long as each lowers the error on the last third by a tenth.
 /// @param candidates [1/s]
 /// @param least, most numbers of rates
 /// @returns ascending rates
-std::vector<double> choose_rates(const std::vector<ChargeRecord>& records, std::size_t inputs,
+std::vector<double> choose_rates(const std::vector<ChargeGroup>& groups,
                                  const std::vector<double>& candidates, std::size_t least,
                                  std::size_t most);
 

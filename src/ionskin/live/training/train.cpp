@@ -118,7 +118,8 @@ void set_charges(const std::vector<FullRun>& runs, SkinData& data) {
   }
   const std::vector<double> candidates = rate_candidates(run.input);
   const std::size_t inputs = drive_inputs(run, true);
-  data.rates = choose_rates(whole, drive_inputs(run, false), candidates, least_rates, most_rates);
+  std::vector<ChargeGroup> groups{{std::move(whole), drive_inputs(run, false)}};
+  data.rates = choose_rates(groups, candidates, least_rates, most_rates);
   for (const Taxel& taxel : run.input.readout.taxels) {
     data.taxels.push_back(taxel.name);
     data.taxel_corners.insert(data.taxel_corners.end(),
@@ -126,13 +127,13 @@ void set_charges(const std::vector<FullRun>& runs, SkinData& data) {
   }
   if (!data.taxels.empty()) {
     data.spread = find_spread(runs, of_taxels, inputs, data.rates);
-    const std::vector<ChargeRecord> records = joined(of_taxels);
-    data.rates = choose_rates(records, inputs, candidates, least_rates, most_rates);
-    ChargeFit fit = fit_charges(records, inputs, data.rates);
+    groups.push_back({joined(of_taxels), inputs});
+    data.rates = choose_rates(groups, candidates, least_rates, most_rates);
+    ChargeFit fit = fit_charges(groups.back().records, inputs, data.rates);
     data.part = std::move(fit.model);
     data.spread.weights = std::move(fit.spread);
   }
-  data.whole = fit_charges(whole, drive_inputs(run, false), data.rates).model;
+  data.whole = fit_charges(groups.front().records, groups.front().inputs, data.rates).model;
   if (data.taxels.empty()) {
     data.part = data.whole;
   }
