@@ -75,7 +75,20 @@ function layout_problems() {
 }
 
 const main = async (page, link) => {
-  const wait = (what, ...rest) => page.waitForFunction(what, { timeout: 240000, polling: 50 }, ...rest);
+  const pause = (milliseconds) => new Promise((resolve) => setTimeout(resolve, milliseconds));
+  // A call that the browser never answers, as when the page is drawn anew beneath it, is asked again.
+  const wait = async (what, ...rest) => {
+    let last = null;
+    for (const end = Date.now() + 240000; Date.now() < end; await pause(50)) {
+      const asked = (async () => {
+        const handle = await page.evaluateHandle(what, ...rest);
+        return (await handle.evaluate((value) => Boolean(value))) ? handle : null;
+      })();
+      const handle = await Promise.race([asked.catch((error) => { last = error; return null; }), pause(20000)]);
+      if (handle) return handle;
+    }
+    throw last ?? new Error(`never came true: ${what}`);
+  };
   const click = async (text, within = "body") => {
     for (let left = 5; left > 0; --left) {
       const handle = await wait((wanted, scope) => [...document.querySelectorAll(`${scope} button, ${scope} a, ${scope} summary`)].find((one) => one.textContent.trim() === wanted && one.checkVisibility() && !one.disabled), text, within);
