@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/study/errors/imposed_quantities.hpp"
 
+#include "ionskin/base/value_at.hpp"
+#include "ionskin/laws/friction/friction_law.hpp"
 #include "ionskin/mechanics/output/contact_solution.hpp"
 #include "ionskin/readout/phases.hpp"
 #include "ionskin/readout/slider_suffix.hpp"
@@ -27,6 +29,23 @@ double force_error(const MotionInstant& at, double force) {
   return given ? std::max(std::abs(force - at.level->value),
                           mechanics::contact_tolerance * at.level->value)
                : solved_for;
+}
+
+/// Error of the tangential force in mid-slide under a prescribed normal force, where the contact
+/// slips as a whole and friction is a coefficient times the pressure in every direction: it is that
+/// coefficient times the normal force, on any mesh. NaN elsewhere [N].
+/// @param normal error of the normal force [N]
+/// @param force, tangential normal and tangential force [N]
+/// @param stuck share of the contact that sticks [1]
+double sliding_error(const Contact& contact, double normal, double force, double tangential,
+                     double stuck) {
+  constexpr double rounding = 1e-9;
+  const laws::Friction friction = laws::friction(contact.law, contact.friction, contact.parameters);
+  const double limit = friction.limit({.normal_traction = 1}) * force,
+               apart = std::abs(std::abs(tangential) - limit);
+  const bool given = stuck == 0 && friction.across == 1 && laws::is_proportional(friction) &&
+                     !laws::friction_law(contact.law).adheres && apart <= rounding * limit;
+  return given ? std::max(apart, normal * limit / force) : solved_for;
 }
 
 double height_error(const MotionInstant& at, double height) {
@@ -68,6 +87,21 @@ void add_slider(const Case& input, const std::string& suffix, const Signals& sig
       if (!std::isnan(error)) {
         errors.metrics.push_back({metric->name, error, metric->unit});
       }
+    }
+  }
+  const auto normal =
+      std::ranges::find(errors.metrics, "normal_force_slide" + suffix, &Metric::name);
+  const auto tangential =
+      std::ranges::find(signals.metrics, "tangential_force_slide" + suffix, &Metric::name);
+  if (normal != errors.metrics.end() && tangential != signals.metrics.end()) {
+    const auto force = std::ranges::find(signals.metrics, normal->name, &Metric::name);
+    const double stuck = base::value_at(signals.resolved.column("time").values,
+                                        signals.resolved.column("stick_share" + suffix).values,
+                                        readout::middle_of_slide(input.motion, input.slider)),
+                 error = sliding_error(input.contact, normal->value, force->value,
+                                       tangential->value, stuck);
+    if (!std::isnan(error)) {
+      errors.metrics.push_back({tangential->name, error, tangential->unit});
     }
   }
 }

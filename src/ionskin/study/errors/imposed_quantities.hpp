@@ -21,10 +21,11 @@ struct ImposedErrors {
 
 /// Computes the distance of prescribed quantities from their prescription. Prescribed are: the
 /// normal force where the motion goes by force, presses and has landed (its error is at least the
-/// tolerance of the contact solver); the height of the slider where it goes by height; and the
-/// position along the skin of a slider on a rail, or of the end of a drive, at any time. Not
-/// prescribed are height and force on the way from one to the other, and a pulling force, as the
-/// pull may end earlier on another mesh. Empty for a given strain.
+/// tolerance of the contact solver), and with it the tangential force in mid-slide if the contact
+/// slips as a whole under a friction proportional to the pressure; the height of the slider where
+/// it goes by height; and the position along the skin of a slider on a rail, or of the end of a
+/// drive, at any time. Not prescribed are height and force on the way from one to the other, and a
+/// pulling force, as the pull may end earlier on another mesh. Empty for a given strain.
 ImposedErrors imposed_errors(const Case& input, const Signals& signals);
 
 } // namespace ionskin::study

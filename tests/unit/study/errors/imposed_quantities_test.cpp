@@ -30,7 +30,8 @@ Signals pressed_signals() {
                               {"normal_force", "N", {0, 0.7, 2, 2.5 + 1e-5, 3, 0.4, 0}},
                               {"slider_z", "m", {1e-3, 2e-4, -1e-6, -1.2e-6, -1.4e-6, 3e-4, 1e-3}},
                               {"slider_x", "m", {1e-3, 1e-3, 1e-3, 1.5e-3, 2e-3, 2e-3, 2e-3}},
-                              {"slider_y", "m", std::vector<double>(7, 2e-3)}};
+                              {"slider_y", "m", std::vector<double>(7, 2e-3)},
+                              {"stick_share", "1", std::vector<double>(7, 0.5)}};
   signals.metrics = {{"normal_force_touchdown", 2, "N"},
                      {"normal_force_slide", 2.5 + 1e-5, "N"},
                      {"tangential_force_slide", 0.7, "N"}};
@@ -51,6 +52,30 @@ TEST(ImposedQuantities, a_given_force_is_off_by_what_its_solver_leaves) {
   EXPECT_DOUBLE_EQ(errors.metrics[0].value, 2 * mechanics::contact_tolerance);
   EXPECT_EQ(errors.metrics[1].name, "normal_force_slide");
   EXPECT_NEAR(errors.metrics[1].value, 1e-5, 1e-12);
+}
+
+TEST(ImposedQuantities, friction_of_a_contact_that_slips_is_given_with_the_force) {
+  Case input = pressed_case();
+  input.contact.friction = 0.3;
+  Signals signals = pressed_signals();
+  signals.resolved.columns.back().values.assign(7, 0.0); // the share that sticks
+  signals.metrics[2].value = 0.3 * signals.metrics[1].value;
+  const auto given = [&] {
+    const ImposedErrors errors = imposed_errors(input, signals);
+    return std::ranges::find(errors.metrics, "tangential_force_slide", &readout::Metric::name) !=
+           errors.metrics.end();
+  };
+  EXPECT_TRUE(given());
+  EXPECT_NEAR(imposed_errors(input, signals).metrics.back().value, 0.3e-5, 1e-12);
+  signals.resolved.columns.back().values.assign(7, 0.1);
+  EXPECT_FALSE(given());
+  signals.resolved.columns.back().values.assign(7, 0.0);
+  signals.metrics[2].value *= 1.001;
+  EXPECT_FALSE(given());
+  signals.metrics[2].value /= 1.001;
+  input.contact.law = "saturating";
+  input.contact.parameters = {{"strength", 4e6}, {"sharpness", 2}};
+  EXPECT_FALSE(given());
 }
 
 TEST(ImposedQuantities, on_the_way_to_a_force_and_off_the_skin_no_force_is_given) {
