@@ -18,7 +18,7 @@
 #include "ionskin/readout/tail_current.hpp"
 #include "ionskin/readout/taxels.hpp"
 #include "ionskin/readout/water_signals.hpp"
-#include "ionskin/study/metrics/sample_noise.hpp"
+#include "ionskin/study/metrics/reading_noise.hpp"
 #include "ionskin/study/metrics/slip_metrics.hpp"
 
 #include <fmt/format.h>
@@ -416,94 +416,6 @@ void add_circuit(const circuits::Circuit& circuit, const IonSolution& ions, doub
     add_instrument(circuit, ions, interval, signals);
   } else if (circuit.admittance) {
     add_terminals(ions, interval, signals);
-  }
-}
-
-double value_of(const std::vector<readout::Metric>& metrics, const std::string& name) {
-  const auto found = std::ranges::find(metrics, name, &readout::Metric::name);
-  return found == metrics.end() ? 0.0 : found->value;
-}
-
-/// Taxels that are conductors of their own, or lines of a crossbar, each with its circuit and all
-/// parameters.
-std::vector<Taxel> conductors_of(const Readout& readout) {
-  std::vector<Taxel> conductors = readout.lines();
-  for (Taxel& line : conductors) {
-    line.parameters = readout.parameters;
-  }
-  for (std::size_t i = 0; i < readout.taxels.size() && !readout.is_crossbar(); ++i) {
-    if (readout.has_own_circuit(i)) {
-      conductors.push_back(readout.taxels[i]);
-      conductors.back().circuit = readout.circuit_of(i);
-      conductors.back().parameters = readout.parameters_of(i);
-    }
-  }
-  return conductors;
-}
-
-/// The case of the cell below a conductor, read by the circuit of this conductor.
-Case cell_below(const Case& input, const Taxel& conductor) {
-  Case cell = input;
-  cell.skin.length = conductor.upper[0] - conductor.lower[0];
-  cell.skin.width = conductor.upper[1] - conductor.lower[1];
-  cell.readout.circuit = conductor.circuit;
-  cell.readout.parameters = conductor.parameters;
-  return cell;
-}
-
-/// Adds the noise of a reading of the taxel, or the line of a crossbar, with the largest signal.
-/// Voltages take precedence over currents. The current of the whole electrode is the sum of its
-/// readings, whose noise adds up by squares; for a crossbar the sum over the columns.
-void add_noise_of_taxel(const Case& input, const MechanicsRecord& mechanics,
-                        const IonSolution& ions, Signals& signals) {
-  const double record = ions.time.back() - ions.time.front();
-  const std::vector<Taxel> conductors = conductors_of(input.readout);
-  Taxel strongest;
-  bool of_voltage = false;
-  double peak = -1;
-  for (const Taxel& conductor : conductors) {
-    const bool has_voltage = !circuits::circuit_row(conductor.circuit).holds_potential;
-    const std::string column = (has_voltage ? "voltage_" : "current_circuit_") + conductor.name;
-    const double largest = readout::peak_magnitude(signals.sampled_taxels->column(column).values);
-    if (has_voltage > of_voltage || (has_voltage == of_voltage && largest > peak)) {
-      strongest = conductor, of_voltage = has_voltage, peak = largest;
-    }
-  }
-  const SampleNoise noise = sample_noise(cell_below(input, strongest), peak, record);
-  const auto area = [](const Taxel& of) {
-    return (of.upper[0] - of.lower[0]) * (of.upper[1] - of.lower[1]);
-  };
-  constexpr double rounding = 1e-9;
-  double squares = 0;
-  for (const Taxel& conductor : conductors) {
-    // Taxels of a grid are alike: one noise stands for all that have its circuit.
-    const bool alike = conductor.circuit == strongest.circuit &&
-                       conductor.parameters == strongest.parameters &&
-                       std::abs(area(conductor) - area(strongest)) < rounding * area(strongest);
-    const Case cell = cell_below(input, alike ? strongest : conductor);
-    const double own = current_noise(cell, alike ? noise : sample_noise(cell, peak, record));
-    squares += input.readout.is_crossbar() && conductor.name.starts_with('r') ? 0.0 : own * own;
-  }
-  for (const auto& found :
-       {precursor_metrics(input, mechanics, signals.resolved, std::sqrt(squares)),
-        noise_metrics(noise, peak, of_voltage ? "V" : "A")}) {
-    signals.metrics.insert(signals.metrics.end(), found.begin(), found.end());
-  }
-}
-
-/// Adds the noise of a reading, and the metrics of slip precursors that stand out from it.
-void add_noise(const Case& input, const MechanicsRecord& mechanics, const IonSolution& ions,
-               Signals& signals) {
-  const circuits::Circuit circuit =
-      circuits::circuit(input.readout.circuit, input.readout.parameters);
-  const bool of_voltage = circuit.admittance.has_value();
-  const double peak = of_voltage ? readout::peak_magnitude(ions.voltage)
-                                 : value_of(signals.metrics, "peak_sampled_current_difference");
-  const SampleNoise noise = sample_noise(input, peak, ions.time.back() - ions.time.front());
-  for (const auto& found :
-       {precursor_metrics(input, mechanics, signals.resolved, current_noise(input, noise)),
-        noise_metrics(noise, peak, of_voltage ? "V" : "A")}) {
-    signals.metrics.insert(signals.metrics.end(), found.begin(), found.end());
   }
 }
 
