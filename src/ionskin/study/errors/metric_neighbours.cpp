@@ -15,7 +15,7 @@ namespace {
 
 /// Signals related to metrics: a metric whose name contains the first text is related to the signal
 /// of the second; the first match counts.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 30> signal_of{{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 31> signal_of{{
     {"slip_time", "stick_share"},
     {"slip_lead", "stick_share"},
     {"slip_force_ratio", "stick_share"},
@@ -40,6 +40,7 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 30> signal_o
     {"voltage", "voltage"},
     {"tangential_force", "tangential_force"},
     {"normal_force", "normal_force"},
+    {"_work", "tangential_force"},
     {"first_moment", "shear_first_moment"},
     {"p99_shear", "p99_shear"},
     {"p95_shear", "rms_shear"},

@@ -87,6 +87,22 @@ TEST(ErrorParts, a_mean_shear_errs_no_less_than_the_force) {
   EXPECT_NEAR(estimate.relative.at("normal_force_slide"), mesh_safety * 0.02, 1e-9);
 }
 
+// Under a prescribed force friction is the same on every mesh, and so are the works.
+TEST(ErrorParts, the_works_err_as_the_tangential_force_and_not_as_the_shear) {
+  Signals base = scaled_signals(1, 1), mesh = scaled_signals(1.05, 1);
+  for (Signals* signals : {&base, &mesh}) {
+    const double force = signals == &base ? 1 : 1.01;
+    signals->resolved.columns.push_back({"tangential_force", "N", {0, force, force}});
+    signals->metrics.push_back({"external_work", 1e-3, "J"});
+    signals->metrics.push_back({"friction_work", 1e-3, "J"});
+  }
+  const auto errors =
+      combine_errors(base, {{error_parts::mechanics_mesh, &base, &mesh}}, {}).relative;
+  EXPECT_NEAR(errors.at("external_work"), mesh_safety * 0.01, 1e-9);
+  EXPECT_NEAR(errors.at("friction_work"), mesh_safety * 0.01, 1e-9);
+  EXPECT_GT(errors.at("mean_shear_slide"), 0.02);
+}
+
 TEST(ErrorParts, a_difference_that_happens_to_vanish_is_no_small_error) {
   const Signals base = scaled_signals(1, 1);
   Signals mesh = scaled_signals(1.01, 1);
