@@ -268,14 +268,14 @@ SAME = 0.02  # relative, of numbers at `coarse`
 
 def departures(rows):
     """Rows that say something else than they did when the prose of their page was written, in words."""
-    told = {row.name: row for row in rows}
+    by_name = {row.name: row for row in rows}
     for name, (verdict, value) in STANDS.items():
-        if name not in told:
+        if name not in by_name:
             yield f"{name} is missing"
-        elif told[name].verdict != verdict:
-            yield f"{name}: {told[name].verdict}, and the page was written for {verdict}"
-        elif value is not None and not abs(told[name].value / value - 1) <= SAME:
-            yield f"{name}: {told[name].value:.4g} {told[name].unit}, and the page was written for {value:g}"
-    for name in told:
+        elif by_name[name].verdict != verdict:
+            yield f"{name}: {by_name[name].verdict}, and the page was written for {verdict}"
+        elif value is not None and not abs(by_name[name].value / value - 1) <= SAME:
+            yield f"{name}: {by_name[name].value:.4g} {by_name[name].unit}, and the page was written for {value:g}"
+    for name in by_name:
         if name not in STANDS:
             yield f"{name} is new: the page's prose and STANDS do not know it"

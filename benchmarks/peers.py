@@ -58,8 +58,8 @@ def version(code):
         return None
     if answer.returncode and code != "CalculiX":  # ccx -v ends with 201
         return None
-    told = subprocess.run(["dpkg-query", "-W", "-f=${Version}", package], capture_output=True, text=True, check=False)
-    return told.stdout or " ".join(answer.stdout.split())
+    query = subprocess.run(["dpkg-query", "-W", "-f=${Version}", package], capture_output=True, text=True, check=False)
+    return query.stdout or " ".join(answer.stdout.split())
 
 
 # Peak memory of a child counts what its parent had before the child became another program: a small one starts it.
@@ -98,8 +98,8 @@ def run_ionskin(program, part, setting):
         command = ionskin_runs.prepare(program, part, setting, folder)
         _, cost = measure(command, folder)
         figures = ionskin_runs.read(part, folder)
-        told = subprocess.run([program, "check", "case.toml", "--json"], cwd=folder, capture_output=True, text=True, check=True)
-    unknowns = json.loads(told.stdout)["cost"]["mechanics_unknowns" if part == "contact" else "ion_unknowns"]
+        check = subprocess.run([program, "check", "case.toml", "--json"], cwd=folder, capture_output=True, text=True, check=True)
+    unknowns = json.loads(check.stdout)["cost"]["mechanics_unknowns" if part == "contact" else "ion_unknowns"]
     return {"code": "ionskin", "setting": " ".join(setting), "unknowns": unknowns, **cost, "figures": figures}
 
 
@@ -141,17 +141,17 @@ def main():
         print(f"{code}: {installed or 'not installed, left out: apt-get install ' + CODES[code][0]}", flush=True)
     if arguments.reference:
         return references(Path(program).resolve(), parts, versions)
-    told = {"load": os.getloadavg(), "versions": versions, "reference": REFERENCE, "runs": {}}
-    print("load of the machine: " + " ".join(f"{load:.1f}" for load in told["load"]))
+    report = {"load": os.getloadavg(), "versions": versions, "reference": REFERENCE, "runs": {}}
+    print("load of the machine: " + " ".join(f"{load:.1f}" for load in report["load"]))
     for part in parts:
         runs = []
         for run in compare(Path(program).resolve(), part, versions, arguments.settings):
             runs.append(with_errors(run, REFERENCE[part], RESOLVED[part]))
             print(f"  {run['code']} {run['setting']}: {run['processor_s']:.1f} s", file=sys.stderr, flush=True)
-        told["runs"][part] = equal_accuracy(runs)
-        print(f"\n{part}\n\n" + markdown(told["runs"][part]), flush=True)
+        report["runs"][part] = equal_accuracy(runs)
+        print(f"\n{part}\n\n" + markdown(report["runs"][part]), flush=True)
         if arguments.json:
-            Path(arguments.json).write_text(json.dumps(told, indent=1) + "\n", encoding="utf-8")
+            Path(arguments.json).write_text(json.dumps(report, indent=1) + "\n", encoding="utf-8")
     return None
 
 

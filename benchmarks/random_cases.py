@@ -174,8 +174,8 @@ def trial(program, number, least):
     if code == 2:
         return result | {"verdict": "LATE", "why": f"valid, then refused: {errors[0][:150]}"}
     if code == 3:
-        told = "remedy" in said
-        return result | {"verdict": "gave up" if told else "NO REMEDY", "why": errors[0][:150]}
+        named = "remedy" in said
+        return result | {"verdict": "gave up" if named else "NO REMEDY", "why": errors[0][:150]}
     if code != 0:
         return result | {"verdict": "CRASH", "why": f"exit {code}: {errors[0][:150]}"}
     wrong = judged(draw.case, folder / "out")

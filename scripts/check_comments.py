@@ -4,7 +4,8 @@
 
 A comment is a sentence with a subject, or a noun phrase. It begins neither with a word that leaves the subject out, such
 as "Of" or "Whether", nor with "The same", which leaves it to the comment before, nor with a preposition unless a comma
-divides it from the subject: "In a sweep, the points share their mechanics."
+divides it from the subject: "In a sweep, the points share their mechanics." Unit tests are named in capitalised words
+without underscores.
 """
 
 import ast
@@ -28,6 +29,8 @@ PARAMETER = re.compile(r"@(param|returns?)\b")
 CONSTRUCTOR = re.compile(r"\s*(explicit\s+)?[A-Z]\w*\(")
 BEHIND = re.compile(r"///< ?(.*)$")
 SENTENCE = re.compile(r".*?[.:;](?=\s|$)|.*", re.DOTALL)
+TEST_NAME = re.compile(r"^(?:TYPED_)?TEST(?:_F|_P)?\(\s*(\w+),\s*(\w+)\)", re.MULTILINE)
+CAPITALISED = re.compile(r"[A-Z][A-Za-z0-9]*$")
 PAGE_PARTS = ("**In:**", "**Out:**", "**Equations:**", "**Begin with:**")
 
 
@@ -88,6 +91,13 @@ def mistakes(name, text):
         yield f"{name}:{line}: say what this is, as a sentence with a subject or a noun phrase: {comment.split(chr(10))[0][:60]}"
 
 
+def name_mistakes(name, text):
+    """Yields one message for each unit test of a source whose name is not written in capitalised words."""
+    for test in TEST_NAME.finditer(text):
+        if not CAPITALISED.match(test[1]) or not CAPITALISED.match(test[2]):
+            yield f"{name}:{text[:test.start()].count(chr(10)) + 1}: name the test in capitalised words: {test[1]}.{test[2]}"
+
+
 def page_mistakes(room, page):
     """Yields one message for each part that the page of a room lacks; `page` is None where there is no page."""
     if page is None:
@@ -105,7 +115,8 @@ def main():
         for path in sorted((root / source).rglob("*")):
             name = path.relative_to(root).as_posix()
             if path.suffix in SUFFIXES and "/_build/" not in name:
-                found += mistakes(name, path.read_text(encoding="utf-8"))
+                text = path.read_text(encoding="utf-8")
+                found += [*mistakes(name, text), *name_mistakes(name, text)]
     for room in sorted(path for path in (root / "src" / "ionskin").iterdir() if path.is_dir()):
         page = room / "README.md"
         found += page_mistakes(room.relative_to(root).as_posix(), page.read_text(encoding="utf-8") if page.exists() else None)

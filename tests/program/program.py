@@ -22,7 +22,7 @@ FAULTS = PROGRAM.parent / "tests" / "fault_injection" / "libionskin_fault_inject
 PAPER = ROOT / "cases" / "paper.toml"
 # Mesh and time steps that serve to test the bookkeeping, not the physics, at a tenth of the work of cases/paper/coarse.toml;
 # to free the sides of the skin costs as much as all the rest.
-# Companions, which state the errors, double it: test_stated_errors.py, test_interrupt.py and test_sweep.py have them.
+# Coarser solutions, which state the errors, double it: test_stated_errors.py, test_interrupt.py and test_sweep.py have them.
 ROLLERS = ("--set", "skin.sides=symmetry")
 SMALL = ROLLERS + tuple(word for edit in ("mesh_refinement=0.3", "time_refinement=0.3", "error_estimate=off")
                         for word in ("--set", f"numerics.{edit}"))

@@ -37,6 +37,11 @@ class CheckComments(unittest.TestCase):
         self.assertEqual(self.lines("/// @param a first\n///   of all\nint sum(int a);\n/// @param a first\nexplicit Sum(int a);\n"
                                     "/// Sum. @param a first\nint sum(int a);\n/// @returns the sum\nint sum();\n"), [1, 8])
 
+    def test_unit_tests_are_named_in_capitalised_words(self):
+        found = list(self.check.name_mistakes("a_test.cpp", "TEST(Contact, FindsTheForce) {}\nTEST_F(Contact,\n finds_the_area) {}\n"))
+        self.assertEqual([one.split(": ")[0] for one in found], ["a_test.cpp:2"])
+        self.assertIn("Contact.finds_the_area", found[0])
+
     def test_a_preposition_needs_a_comma_in_its_own_sentence(self):
         self.assertEqual(self.lines("/// Over the core [C]. One entry, if any.\nint a;\n/// On a drive, it swings.\nint b;\n"), [1])
 

@@ -18,8 +18,8 @@ from .live_touches import LiveEngine, LiveTouches, is_live_skin
 from .rows import MOVING
 from .touches import RATE, Touches
 
-FIXED = ("motion.direction", "motion.touchdown", "motion.slide", "motion.lift")  # told by name where they do not vary
-TOLD = ("normal_force", "charge_top", "current_top")  # whose stated errors are told
+FIXED = ("motion.direction", "motion.touchdown", "motion.slide", "motion.lift")  # printed by name where they do not vary
+PRINTED = ("normal_force", "charge_top", "current_top")  # whose stated errors are printed
 
 
 def main() -> int:
@@ -125,7 +125,7 @@ def live_announcement(touches: LiveTouches) -> list[str]:
     if trained.tilt or trained.turn:
         lines.append(f"tilts up to {numpy.degrees(trained.tilt):.3g} degrees, turns up to {numpy.degrees(trained.turn):.3g} degrees a second")
     lines += ["each touch lands, slides, rests, changes its force and lifts off, at random (docs/training-data.md)"]
-    for name in TOLD:
+    for name in PRINTED:
         one = touches.skin.errors.get(name)
         if one and one.largest > 0:
             lines.append(f"stated error of {name} against the full model: {100 * one.rms / one.largest:.2g} % rms, "

@@ -10,7 +10,7 @@ from ..charts.spans import contact_spans, sampling_interval
 from ..words import percent, quantity
 from . import report_text
 
-NEAR = 0.03  # of the length of a run: an instant so near an event is told by the time between them
+NEAR = 0.03  # of the length of a run: an instant so near an event is given by the time between them
 TAXEL = "current_top_"
 READING = "reading_"  # of an amplifier at a taxel
 WHILE = {"touchdown": ", while the slider lands", "lift": ", while the slider lifts"}
@@ -166,10 +166,10 @@ def of_mechanics(results):
     return f"In mid-slide {text}; the ions were not asked for." if text else None
 
 
-def of_noise(results, told):
+def of_noise(results, before):
     """Sentences on the noise of one reading, its parts, and the ratio of the peak to it; [] for runs of older versions.
 
-    told  sentences before it, which may have told this peak
+    before  sentences before it, which may name this peak
     """
     def metric(name):
         found = results.metrics.get(name)
@@ -183,7 +183,7 @@ def of_noise(results, told):
         ("the skin's thermal noise", metric("sample_noise_thermal")), ("the amplifier", metric("sample_noise_amplifier")),
         ("the converter's steps", metric("sample_noise_quantisation"))) if value)
     peak = quantity(ratio * metric("sample_noise"), unit, 3)
-    peak = "that peak" if any(f" {peak}" in sentence for sentence in told) else f"the largest sampled reading, {peak}"
+    peak = "that peak" if any(f" {peak}" in sentence for sentence in before) else f"the largest sampled reading, {peak}"
     verdict = (f"{float(f'{ratio:.2g}'):,g} times smaller than {peak}" if ratio >= 3 else
                f"no smaller than a third of {peak}: one reading does not show it" if ratio >= 1 else f"larger than {peak}: it cannot be read")
     return [f"The noise of one reading is {quantity(metric('sample_noise'), unit, 2)} rms ({parts}), {verdict}."]
@@ -197,9 +197,9 @@ def readings(results):
 
 def sentences(results):
     """Opening sentences of a run's page: the first ones say what an instrument reads, further ones on what this depends."""
-    told = readings(results)
-    found = [*told, *of_noise(results, told)]
-    if "peak_open_circuit_voltage" in results.metrics and "V" not in told[-1]:
+    first = readings(results)
+    found = [*first, *of_noise(results, first)]
+    if "peak_open_circuit_voltage" in results.metrics and "V" not in first[-1]:
         found.append(f"Left open, the cell would give up to {with_error(results, 'peak_open_circuit_voltage', 0.0, 'V')} at once.")
     coefficient = results.case.get("coupling", {}).get("coefficient")
     if coefficient and results.signals.has("current_difference") and report_text.law(results) != "poroelastic":

@@ -283,10 +283,10 @@ bool Skin::charge_derivatives(std::span<double> matrix) noexcept {
     if (touches) {
       set_charge_slopes(driving, motion);
     }
-    const bool told = known && !(data_.meshed_share < 1 && across(motion));
+    const bool derivable = known && !(data_.meshed_share < 1 && across(motion));
     for (std::size_t charge = 0; charge < charges(); ++charge) {
       const std::size_t output = charge < sides ? charge : sides * (charge - sides + 1);
-      matrix[motions * charge + motion] = told ? charge_slope_[output] : unknown;
+      matrix[motions * charge + motion] = derivable ? charge_slope_[output] : unknown;
     }
   }
   return known;

@@ -15,7 +15,7 @@
 namespace ionskin::base {
 namespace {
 
-TEST(Digest, depends_on_every_value_and_on_where_texts_end) {
+TEST(Digest, DependsOnEveryValueAndOnWhereTextsEnd) {
   const auto of = [](const auto&... values) {
     DigestBuilder builder;
     (builder.add(values), ...);
@@ -30,7 +30,7 @@ TEST(Digest, depends_on_every_value_and_on_where_texts_end) {
   EXPECT_EQ(of(1.0).hex().size(), 32u);
 }
 
-TEST(OwnBuild, is_told_by_the_programs_own_code) {
+TEST(OwnBuild, IsIdentifiedByTheProgramsOwnCode) {
   std::string name = (std::filesystem::temp_directory_path() / "ionskin-build-XXXXXX").string();
   const std::filesystem::path folder = mkdtemp(name.data());
   const std::filesystem::path program = folder / "program";

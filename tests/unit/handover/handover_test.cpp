@@ -98,7 +98,7 @@ TEST(Handover, TouchdownIsProportionalToTheIndentation) {
   EXPECT_EQ(history::shear_integral(history, contact_time), 0.0);
 }
 
-TEST(Handover, RefusesShearThatIsNoNumberAndNamesTheContact) {
+TEST(Handover, RefusesShearThatIsNotANumberAndNamesTheContact) {
   const Case input = small_case();
   auto contact = synthetic_contact(input);
   mechanics::ContactState broken = *contact.stepped[8].state;

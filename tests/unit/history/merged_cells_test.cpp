@@ -8,7 +8,7 @@
 namespace ionskin::history {
 namespace {
 
-TEST(MergedCells, keep_integrals_mirror_images_and_shared_fields) {
+TEST(MergedCells, KeepIntegralsMirrorImagesAndSharedFields) {
   CoreHistory history;
   history.length = 5;
   history.width = 6;

@@ -170,7 +170,7 @@ TEST(LiveChargeDerivatives, LeaveTheStepsThatFollowAsTheyAre) {
   }
 }
 
-TEST(LiveChargeDerivatives, AreToldByCAndCxxAndOfAHalfSkinByItsSymmetricMotions) {
+TEST(LiveChargeDerivatives, AreGivenByCAndCxxAndOfAHalfSkinByItsSymmetricMotions) {
   SkinData data = charged_sphere("coulomb");
   data.meshed_share = 0.5;
   const auto path = std::filesystem::temp_directory_path() / "ionskin_charge_derivatives.live";

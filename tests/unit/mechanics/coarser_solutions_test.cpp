@@ -8,7 +8,7 @@
 namespace ionskin::mechanics {
 namespace {
 
-TEST(CoarserSolutions, have_twice_the_mesh_sizes) {
+TEST(CoarserSolutions, HaveTwiceTheMeshSizes) {
   Case input;
   input.numerics.mesh_refinement = 1.4;
   for (const char* name :
@@ -19,7 +19,7 @@ TEST(CoarserSolutions, have_twice_the_mesh_sizes) {
   EXPECT_EQ(coarser_case(input, coarser_solutions::path).numerics.time_refinement, 0.5);
 }
 
-TEST(CoarserSolutions, one_has_more_layers_where_the_others_cannot_have_fewer) {
+TEST(CoarserSolutions, OneHasMoreLayersWhereTheOthersCannotHaveFewer) {
   Case input;
   input.numerics.preset = Preset::coarse;
   ASSERT_TRUE(needs_coarser_thickness(input));

@@ -67,7 +67,7 @@ double total_friction(const ContactState& state) {
   return std::hypot(state.tangential_force[0], state.tangential_force[1]);
 }
 
-TEST(SolveContact, path_goes_from_touchdown_through_full_slip_to_nothing) {
+TEST(SolveContact, PathGoesFromTouchdownThroughFullSlipToNothing) {
   const ContactSolution& solution = solved_small_case();
   const Case input = small_case();
   EXPECT_GT(touchdown(solution).normal_force, 1.0);
@@ -92,7 +92,7 @@ TEST(SolveContact, path_goes_from_touchdown_through_full_slip_to_nothing) {
   EXPECT_LT(at(solution, 0.5).source->worst_equilibrium_residual(), 2e-3);
 }
 
-TEST(SolveContact, planes_of_symmetry_carry_their_part_of_a_slide_across) {
+TEST(SolveContact, PlanesOfSymmetryCarryTheirPartOfASlideAcross) {
   Case input = small_case();
   input.skin.sides = SideCondition::symmetry;
   input.motion.direction = {0, 1};
@@ -107,7 +107,7 @@ TEST(SolveContact, planes_of_symmetry_carry_their_part_of_a_slide_across) {
   EXPECT_LT(touchdown(solution).source->worst_equilibrium_residual(), 2e-3);
 }
 
-TEST(SolveContact, a_slide_of_ten_times_the_steps_is_the_same) {
+TEST(SolveContact, ASlideOfTenTimesTheStepsIsTheSame) {
   const Case input = small_case();
   ContactOptions options;
   options.steps = {200, 200, 300, 1.01, 4};
@@ -121,7 +121,7 @@ TEST(SolveContact, a_slide_of_ten_times_the_steps_is_the_same) {
   }
 }
 
-TEST(SolveContact, touchdown_in_one_increment_is_exact) {
+TEST(SolveContact, TouchdownInOneIncrementIsExact) {
   const Case input = small_case();
   const SkinModel model(input, mesh::largest_footprint(input),
                         {{1.5e-3, 1e-3}, {3.5e-3, 1e-3}}); // the whole path
@@ -169,7 +169,7 @@ Case twice(Case input) {
   return input;
 }
 
-TEST(SolveContact, a_second_touch_repeats_the_first) {
+TEST(SolveContact, ASecondTouchRepeatsTheFirst) {
   for (const char* law : {"coulomb", "regularised"}) {
     Case input = small_case();
     input.contact.law = law;
@@ -198,7 +198,7 @@ TEST(SolveContact, a_second_touch_repeats_the_first) {
   }
 }
 
-TEST(SolveContact, without_friction_nothing_drags) {
+TEST(SolveContact, WithoutFrictionNothingDrags) {
   Case input = small_case();
   input.contact.friction = 0;
   const ContactSolution solution = solve(input);
@@ -209,7 +209,7 @@ TEST(SolveContact, without_friction_nothing_drags) {
   EXPECT_EQ(total_friction(at(solution, 1.5)), 0.0);
 }
 
-TEST(SolveContact, press_and_hold_lifts_off_where_it_touched_down) {
+TEST(SolveContact, PressAndHoldLiftsOffWhereItTouchedDown) {
   Case input = small_case();
   input.motion.stroke = 0;
   const ContactSolution solution = solve(input);
@@ -221,7 +221,7 @@ TEST(SolveContact, press_and_hold_lifts_off_where_it_touched_down) {
               5e-3 * touchdown(solution).normal_force);
 }
 
-TEST(SolveContact, a_short_stroke_ends_before_full_sliding) {
+TEST(SolveContact, AShortStrokeEndsBeforeFullSliding) {
   Case input = small_case();
   input.motion.stroke = 2e-7;
   const ContactSolution solution = solve(input);
@@ -232,7 +232,7 @@ TEST(SolveContact, a_short_stroke_ends_before_full_sliding) {
   EXPECT_EQ(solution.stepped.back().state, nullptr);
 }
 
-TEST(SolveContact, oblique_tracks_use_the_full_model) {
+TEST(SolveContact, ObliqueTracksUseTheFullModel) {
   Case input = small_case();
   input.motion.direction = {0.8, 0.6};
   input.motion.stroke = 0.5e-3;
@@ -249,7 +249,7 @@ TEST(SolveContact, oblique_tracks_use_the_full_model) {
             1e-6); // leading and trailing differ
 }
 
-TEST(SolveContact, half_and_full_model_agree) {
+TEST(SolveContact, HalfAndFullModelAgree) {
   Case input = small_case();
   input.motion.stroke = 0;
   ContactOptions options;
@@ -258,7 +258,7 @@ TEST(SolveContact, half_and_full_model_agree) {
   EXPECT_NEAR(half.normal_force, full.normal_force, 1e-9 * full.normal_force);
 }
 
-TEST(SolveContact, a_stroke_back_starts_from_sliding_forth) {
+TEST(SolveContact, AStrokeBackStartsFromSlidingForth) {
   Case input = small_case();
   input.motion.kind = MotionKind::reciprocating;
   input.motion.strokes = 3;
@@ -278,7 +278,7 @@ TEST(SolveContact, a_stroke_back_starts_from_sliding_forth) {
   EXPECT_NEAR(at(solution, 6.7).normal_force, forth.normal_force, 1e-7 * forth.normal_force);
 }
 
-TEST(SolveContact, a_friction_coefficient_is_solved_the_same_beside_others) {
+TEST(SolveContact, AFrictionCoefficientIsSolvedTheSameBesideOthers) {
   const Case input = small_case();
   base::Timers timers;
   ContactOptions options;
@@ -288,7 +288,7 @@ TEST(SolveContact, a_friction_coefficient_is_solved_the_same_beside_others) {
   expect_same_bits(together[1], solved_small_case());
 }
 
-TEST(SolveContact, a_round_slider_is_solved_the_same_beside_larger_frictions) {
+TEST(SolveContact, ARoundSliderIsSolvedTheSameBesideLargerFrictions) {
   Case input = small_case();
   input.slider.shape = "sphere";
   input.slider.parameters["radius"] = 8e-3;
@@ -302,7 +302,7 @@ TEST(SolveContact, a_round_slider_is_solved_the_same_beside_larger_frictions) {
   expect_same_bits(together[1], solve(input));
 }
 
-TEST(SolveContact, a_force_is_held_with_the_indentation_free) {
+TEST(SolveContact, AForceIsHeldWithTheIndentationFree) {
   Case input = small_case();
   input.motion.preload = 0;
   input.motion.preload_force = 1;
@@ -325,7 +325,7 @@ TEST(SolveContact, a_force_is_held_with_the_indentation_free) {
   EXPECT_EQ(solution.stepped.back().state, nullptr);
 }
 
-TEST(SolveContact, a_path_may_land_and_leave_on_the_way) {
+TEST(SolveContact, APathMayLandAndLeaveOnTheWay) {
   Case input = small_case();
   input.motion.kind = MotionKind::waypoints;
   input.motion.waypoints = {{0, {1.5e-3, 1e-3}, 1e-6, {}},
@@ -347,7 +347,7 @@ TEST(SolveContact, a_path_may_land_and_leave_on_the_way) {
   EXPECT_EQ(solution.stepped_events.back(), 2.5);
 }
 
-TEST(SolveContact, plane_strain_with_symmetric_sides) {
+TEST(SolveContact, PlaneStrainWithSymmetricSides) {
   Case input = small_case();
   input.skin.sides = SideCondition::symmetry;
   input.slider.size[1] = 3e-3;
@@ -362,7 +362,7 @@ TEST(SolveContact, plane_strain_with_symmetric_sides) {
   EXPECT_LT(solution.worst_complementarity_residual, 1e-8);
 }
 
-TEST(SolveContact, a_contact_at_the_border_widens_its_own_mesh_only) {
+TEST(SolveContact, AContactAtTheBorderWidensItsOwnMeshOnly) {
   Case input = small_case();
   input.slider.shape = "sphere";
   input.slider.parameters["radius"] = 8e-3;

@@ -24,7 +24,7 @@ Case in_rows(int rows) {
   return input;
 }
 
-TEST(SteppedMotion, is_the_same_in_any_number_of_rows) {
+TEST(SteppedMotion, IsTheSameInAnyNumberOfRows) {
   base::Timers timers;
   ContactOptions options;
   options.threads = 2;
@@ -51,7 +51,7 @@ TEST(SteppedMotion, is_the_same_in_any_number_of_rows) {
   }
 }
 
-TEST(SteppedMotion, lands_and_leaves_by_force_on_the_way) {
+TEST(SteppedMotion, LandsAndLeavesByForceOnTheWay) {
   Case input = small_case();
   input.motion.kind = MotionKind::waypoints;
   input.motion.waypoints = {{0, {1.5e-3, 1e-3}, 1e-6, {}},
@@ -69,7 +69,7 @@ TEST(SteppedMotion, lands_and_leaves_by_force_on_the_way) {
   EXPECT_EQ(solution.stepped.back().state, nullptr);
 }
 
-TEST(SteppedMotion, round_sliders_land_while_they_move) {
+TEST(SteppedMotion, RoundSlidersLandWhileTheyMove) {
   for (const char* shape : {"sphere", "cylinder"}) {
     Case input = small_case();
     input.slider.shape = shape;
@@ -94,7 +94,7 @@ TEST(SteppedMotion, round_sliders_land_while_they_move) {
   }
 }
 
-TEST(SteppedMotion, rubs_by_a_fifth_of_a_micrometre_in_closed_loops) {
+TEST(SteppedMotion, RubsByAFifthOfAMicrometreInClosedLoops) {
   Case input = small_case();
   input.motion.kind = MotionKind::waypoints;
   input.motion.waypoints = {{0, {2e-3, 1e-3}, 1e-6, {}}, {0.1, {2e-3, 1e-3}, -1e-6, {}}};
@@ -116,7 +116,7 @@ TEST(SteppedMotion, rubs_by_a_fifth_of_a_micrometre_in_closed_loops) {
   EXPECT_GT(nearest(solution, 0.6).state->stick_fraction, 0);
 }
 
-TEST(SteppedMotion, takes_strokes_under_laws_of_speed_and_rests) {
+TEST(SteppedMotion, TakesStrokesUnderLawsOfSpeedAndRests) {
   Case input = small_case();
   input.motion.kind = MotionKind::reciprocating;
   input.motion.strokes = 2;

@@ -9,7 +9,7 @@
 namespace ionskin::mechanics {
 namespace {
 
-TEST(SteadySliding, found_by_itself_is_what_a_path_passes_through) {
+TEST(SteadySliding, FoundByItselfIsWhatAPathPassesThrough) {
   const Case input = small_case();
   base::Timers timers;
   ContactOptions options;

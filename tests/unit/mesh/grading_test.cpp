@@ -16,7 +16,7 @@ void expect_line(const std::vector<double>& line, double length) {
   EXPECT_TRUE(std::is_sorted(line.begin(), line.end(), std::less_equal<>()));
 }
 
-TEST(Grading, graded_line_grows_up_to_the_largest_size) {
+TEST(Grading, GradedLineGrowsUpToTheLargestSize) {
   const auto line = graded_line(1.0, 0.02, 1.5, 0.2);
   expect_line(line, 1.0);
   EXPECT_LE(line[1], 0.02);
@@ -26,7 +26,7 @@ TEST(Grading, graded_line_grows_up_to_the_largest_size) {
   }
 }
 
-TEST(Grading, graded_line_holds_the_bound_of_its_zone) {
+TEST(Grading, GradedLineHoldsTheBoundOfItsZone) {
   const double width = 0.2, largest = 0.05;
   const auto line = graded_line(1.0, 0.01, 2, 0.4, {width, largest});
   expect_line(line, 1.0);
@@ -42,7 +42,7 @@ TEST(Grading, graded_line_holds_the_bound_of_its_zone) {
   EXPECT_EQ(graded_line(1.0, 0.01, 2, 0.4, {width, 0.4}), graded_line(1.0, 0.01, 2, 0.4));
 }
 
-TEST(Grading, geometric_line_keeps_its_first_size) {
+TEST(Grading, GeometricLineKeepsItsFirstSize) {
   for (const double length : {0.11, 0.8, 9.0}) {
     const auto line = geometric_line(length, 0.02, 8);
     expect_line(line, length);
@@ -51,7 +51,7 @@ TEST(Grading, geometric_line_keeps_its_first_size) {
   }
 }
 
-TEST(Grading, geometric_ratio_is_smooth_in_the_length) {
+TEST(Grading, GeometricRatioIsSmoothInTheLength) {
   // The second differences are small also where the ratio passes 1: second differences of a smooth
   // function fall with the step squared.
   const double middle = 16 * 0.01;
@@ -62,7 +62,7 @@ TEST(Grading, geometric_ratio_is_smooth_in_the_length) {
   EXPECT_NEAR(second_difference(2e-3) / second_difference(1e-3), 4.0, 0.05);
 }
 
-TEST(Grading, growing_line_grows_by_the_ratio) {
+TEST(Grading, GrowingLineGrowsByTheRatio) {
   const auto line = growing_line(2.0, 1.5, 4);
   expect_line(line, 2.0);
   EXPECT_EQ(line.size(), 5u);
@@ -71,7 +71,7 @@ TEST(Grading, growing_line_grows_by_the_ratio) {
   }
 }
 
-TEST(Grading, two_sided_line_is_symmetric) {
+TEST(Grading, TwoSidedLineIsSymmetric) {
   const auto line = two_sided_line(2.0, 1.5, 5);
   expect_line(line, 2.0);
   const auto mirror = reversed(line);
@@ -81,7 +81,7 @@ TEST(Grading, two_sided_line_is_symmetric) {
   EXPECT_NEAR((line[2] - line[1]) / line[1], 1.5, 1e-12);
 }
 
-TEST(Grading, geometric_count_is_the_smallest_within_the_growth) {
+TEST(Grading, GeometricCountIsTheSmallestWithinTheGrowth) {
   const std::size_t count = geometric_count(9.0, 0.01, 1.6);
   EXPECT_LE(geometric_ratio(9.0, 0.01, count), 1.6);
   EXPECT_GT(geometric_ratio(9.0, 0.01, count - 1), 1.6);

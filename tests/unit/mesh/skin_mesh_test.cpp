@@ -35,7 +35,7 @@ void expect_ascending(const std::vector<double>& line, double end) {
   EXPECT_TRUE(std::is_sorted(line.begin(), line.end(), std::less_equal<>()));
 }
 
-TEST(Footprint, is_expected_at_the_edge_of_the_skin_under_a_heavy_load_alone) {
+TEST(Footprint, IsExpectedAtTheEdgeOfTheSkinUnderAHeavyLoadAlone) {
   Case input = example();
   input.slider.shape = "sphere";
   input.slider.parameters = {{"radius", 20e-3}};
@@ -52,7 +52,7 @@ TEST(Footprint, is_expected_at_the_edge_of_the_skin_under_a_heavy_load_alone) {
 }
 
 /// A slider on a drive leaves its path.
-TEST(SkinMesh, lines_ascend_wherever_the_slider_swings) {
+TEST(SkinMesh, LinesAscendWhereverTheSliderSwings) {
   const SkinMesh mesh(example());
   for (const double left : {2e-5, 1e-4, 1e-3}) {
     for (const double x : {1.5e-3 + left, 13.5e-3 - left}) {
@@ -63,7 +63,7 @@ TEST(SkinMesh, lines_ascend_wherever_the_slider_swings) {
   }
 }
 
-TEST(SkinMesh, topology_does_not_depend_on_the_position) {
+TEST(SkinMesh, TopologyDoesNotDependOnThePosition) {
   const SkinMesh mesh(example());
   for (int i = 0; i <= 20; ++i) {
     const double x = 4.5e-3 + 6e-3 * i / 20;
@@ -79,7 +79,7 @@ TEST(SkinMesh, topology_does_not_depend_on_the_position) {
   }
 }
 
-TEST(SkinMesh, lines_move_smoothly_with_the_position) {
+TEST(SkinMesh, LinesMoveSmoothlyWithThePosition) {
   const SkinMesh mesh(example());
   const auto second_difference = [&](std::size_t line, double step) {
     const auto at = [&](double x) { return mesh.lines({x, 1e-3}).x[line]; };
@@ -90,7 +90,7 @@ TEST(SkinMesh, lines_move_smoothly_with_the_position) {
   }
 }
 
-TEST(SkinMesh, mirrored_positions_have_mirrored_lines) {
+TEST(SkinMesh, MirroredPositionsHaveMirroredLines) {
   Case input = example();
   input.slider.start[1] = 0.9e-3;
   const SkinMesh mesh(input);
@@ -103,7 +103,7 @@ TEST(SkinMesh, mirrored_positions_have_mirrored_lines) {
   }
 }
 
-TEST(SkinMesh, half_model_only_on_the_symmetry_plane) {
+TEST(SkinMesh, HalfModelOnlyOnTheSymmetryPlane) {
   Case input = example();
   EXPECT_TRUE(SkinMesh(input).half_model());
   input.slider.start[1] = 0.9e-3;
@@ -114,7 +114,7 @@ TEST(SkinMesh, half_model_only_on_the_symmetry_plane) {
   EXPECT_FALSE(SkinMesh(input).half_model());
 }
 
-TEST(SkinMesh, layers_are_data) {
+TEST(SkinMesh, LayersAreData) {
   const SkinMesh mesh(example());
   const auto [first, last] = mesh.core_z();
   EXPECT_EQ(first, 1u);
@@ -136,7 +136,7 @@ std::vector<double> sizes_beside(const SkinMesh& mesh, std::size_t direction) {
   return sizes;
 }
 
-TEST(SkinMesh, elements_shrink_towards_free_faces_near_and_far) {
+TEST(SkinMesh, ElementsShrinkTowardsFreeFacesNearAndFar) {
   Case input = example();
   input.numerics.preset = Preset::fine;
   const auto side = sizes_beside(SkinMesh(input), 1), end = sizes_beside(SkinMesh(input), 0);
@@ -149,7 +149,7 @@ TEST(SkinMesh, elements_shrink_towards_free_faces_near_and_far) {
   EXPECT_LT(end.front(), 0.25 * input.skin.thickness());
 }
 
-TEST(SkinMesh, fine_elements_stay_small_where_contact_begins_again_inside_a_sharp_edge) {
+TEST(SkinMesh, FineElementsStaySmallWhereContactBeginsAgainInsideASharpEdge) {
   Case input = example();
   input.numerics.preset = Preset::fine;
   const double thickness = input.skin.thickness();
@@ -161,7 +161,7 @@ TEST(SkinMesh, fine_elements_stay_small_where_contact_begins_again_inside_a_shar
   }
 }
 
-TEST(SkinMesh, elements_do_not_shrink_towards_a_plane_of_symmetry) {
+TEST(SkinMesh, ElementsDoNotShrinkTowardsAPlaneOfSymmetry) {
   Case input = example();
   input.numerics.preset = Preset::fine;
   input.skin.sides = SideCondition::symmetry;
@@ -169,7 +169,7 @@ TEST(SkinMesh, elements_do_not_shrink_towards_a_plane_of_symmetry) {
   EXPECT_TRUE(std::is_sorted(side.rbegin(), side.rend()));
 }
 
-TEST(SkinMesh, plane_strain_needs_one_element_across) {
+TEST(SkinMesh, PlaneStrainNeedsOneElementAcross) {
   Case input = example();
   input.skin.sides = SideCondition::symmetry;
   input.slider.size[1] = 5e-3;
@@ -178,7 +178,7 @@ TEST(SkinMesh, plane_strain_needs_one_element_across) {
   EXPECT_EQ(mesh.footprint_y()[1] - mesh.footprint_y()[0], 1u);
 }
 
-TEST(SkinMesh, refinement_multiplies_the_counts) {
+TEST(SkinMesh, RefinementMultipliesTheCounts) {
   Case input = example();
   const auto before = SkinMesh(input).elements();
   input.numerics.mesh_refinement = 2;
@@ -188,13 +188,13 @@ TEST(SkinMesh, refinement_multiplies_the_counts) {
   }
 }
 
-TEST(SkinMesh, refuses_a_slider_at_the_edge_of_the_skin) {
+TEST(SkinMesh, RefusesASliderAtTheEdgeOfTheSkin) {
   Case input = example();
   input.slider.start[0] = 1.5e-3;
   EXPECT_THROW(SkinMesh{input}, UserError);
 }
 
-TEST(SkinMesh, a_round_contact_has_a_uniform_footprint) {
+TEST(SkinMesh, ARoundContactHasAUniformFootprint) {
   Case input = example();
   input.slider.shape = "sphere";
   input.slider.parameters["radius"] = 8e-3;
@@ -209,7 +209,7 @@ TEST(SkinMesh, a_round_contact_has_a_uniform_footprint) {
   EXPECT_TRUE(mesh.half_model());
 }
 
-TEST(SkinMesh, a_rounded_edge_has_a_rim_of_equal_elements_before_larger_ones) {
+TEST(SkinMesh, ARoundedEdgeHasARimOfEqualElementsBeforeLargerOnes) {
   Case input = example();
   input.slider.parameters["edge_radius"] = 0.5e-3;
   const SkinMesh mesh(input, {{1.24e-3, 0.49e-3}, {0.24e-3, 0.24e-3}});
@@ -220,7 +220,7 @@ TEST(SkinMesh, a_rounded_edge_has_a_rim_of_equal_elements_before_larger_ones) {
   EXPECT_GT(x[x.size() / 2] - x[x.size() / 2 - 1], 5 * (x[1] - x[0]));
 }
 
-TEST(SkinMesh, a_narrow_rim_is_no_finer_than_a_sharp_edge) {
+TEST(SkinMesh, ANarrowRimIsNoFinerThanASharpEdge) {
   Case input = example();
   const std::size_t sharp = SkinMesh(input).elements()[0];
   input.slider.parameters["edge_radius"] = 0.1e-3;
@@ -228,7 +228,7 @@ TEST(SkinMesh, a_narrow_rim_is_no_finer_than_a_sharp_edge) {
   EXPECT_LE(mesh.elements()[0], sharp + 2);
 }
 
-TEST(SkinMesh, a_line_contact_is_as_coarse_along_it_as_its_length_allows) {
+TEST(SkinMesh, ALineContactIsAsCoarseAlongItAsItsLengthAllows) {
   Case input = example();
   input.slider.shape = "cylinder";
   input.slider.parameters["radius"] = 8e-3;
@@ -237,7 +237,7 @@ TEST(SkinMesh, a_line_contact_is_as_coarse_along_it_as_its_length_allows) {
   EXPECT_LE(narrow.elements()[1], wide.elements()[1] + 10);
 }
 
-TEST(SkinMesh, a_deep_block_is_graded_downwards_and_a_thin_skin_is_not) {
+TEST(SkinMesh, ADeepBlockIsGradedDownwardsAndAThinSkinIsNot) {
   Case input = example();
   const std::vector<double> thin = SkinMesh(input).lines({4.5e-3, 1e-3}).z;
   EXPECT_EQ(thin.size(), 6u);
@@ -252,7 +252,7 @@ TEST(SkinMesh, a_deep_block_is_graded_downwards_and_a_thin_skin_is_not) {
   }
 }
 
-TEST(SkinMesh, a_line_lies_at_half_the_height_of_the_core) {
+TEST(SkinMesh, ALineLiesAtHalfTheHeightOfTheCore) {
   Case input = example();
   for (const Preset preset : {Preset::coarse, Preset::standard, Preset::fine}) {
     for (const double refinement : {0.25, 0.5, 0.6, 1.0, 1.3, 1.7, 2.0}) {
@@ -267,7 +267,7 @@ TEST(SkinMesh, a_line_lies_at_half_the_height_of_the_core) {
   }
 }
 
-TEST(Footprint, bounds_follow_shape_and_load) {
+TEST(Footprint, BoundsFollowShapeAndLoad) {
   Case input = example();
   input.slider.shape = "sphere";
   input.slider.parameters["radius"] = 8e-3;
@@ -283,7 +283,7 @@ TEST(Footprint, bounds_follow_shape_and_load) {
   EXPECT_LT(largest_footprint(input).half_size[1], 0.1e-3);
 }
 
-TEST(Footprint, bound_follows_the_stiffness_of_the_slider) {
+TEST(Footprint, BoundFollowsTheStiffnessOfTheSlider) {
   Case input = example();
   input.slider.shape = "sphere";
   input.slider.parameters["radius"] = 8e-3;

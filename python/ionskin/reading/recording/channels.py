@@ -129,12 +129,12 @@ def _differ(values, means, place):
 def _require_fine(instants, rows, differ, notes, source):
     """Reports that most stamps repeat. Raises CaseError where they are too coarse to tell rows apart that differ."""
     resolution = float(numpy.diff(instants).min())
-    told = (f"{source}: the time stamps have a resolution of {resolution:.3g} s: {rows} rows have {len(instants)} different "
+    note = (f"{source}: the time stamps have a resolution of {resolution:.3g} s: {rows} rows have {len(instants)} different "
             "stamps")
     if differ and resolution > COARSE:
-        raise CaseError(f"{told}\n  = write the stamps with the fractions of a second, name a column that has them with --column "
+        raise CaseError(f"{note}\n  = write the stamps with the fractions of a second, name a column that has them with --column "
                         "\"time=NAME [unit]\", or keep one row of each stamp")
-    notes.append(f"{told}, and the rows of one stamp are averaged" + (": is there a column of finer times?" if differ else ""))
+    notes.append(f"{note}, and the rows of one stamp are averaged" + (": is there a column of finer times?" if differ else ""))
 
 
 def _columns(one, work):

@@ -117,9 +117,9 @@ def _angles(channels, axes, touches, wanted, notes):
     if wanted:
         tilt.require_flat()
         return tilt.angles
-    told = tilt.sentence()
-    if told:
-        notes.append(f"{told}, which the path leaves out: {tilt.remedy()}")
+    note = tilt.sentence()
+    if note:
+        notes.append(f"{note}, which the path leaves out: {tilt.remedy()}")
     return None
 
 

@@ -7,7 +7,7 @@ from ...errors import CaseError
 from . import frame
 
 OBLIQUE = numpy.radians(20)  # between the tool's nearest axis and the normal, where the finger is not along that axis
-TOLD = numpy.radians(1)
+LEAST = numpy.radians(1)
 STEEPEST = numpy.radians(5)  # roll and pitch together of a case
 
 
@@ -50,10 +50,10 @@ class Tilt:
     def sentence(self):
         """Largest tilt and turn, in words; None for those that do not matter."""
         row, turned = int(numpy.argmax(self.steep)), float(numpy.abs(self.angles[:, 2]).max())
-        if self.steep[row] < TOLD and turned < TOLD:
+        if self.steep[row] < LEAST and turned < LEAST:
             return None
         roll, pitch = numpy.round(numpy.degrees(self.angles[row, :2]), 2) + 0.0
-        turns = f", and turns about the normal by up to {numpy.degrees(turned):.3g}" if turned >= TOLD else ""
+        turns = f", and turns about the normal by up to {numpy.degrees(turned):.3g}" if turned >= LEAST else ""
         return (f"in contact {self.what[0]} tilts by up to {numpy.degrees(self.steep[row]):.3g} degrees from {self.what[1]} "
                 f"(roll {roll:.3g}, pitch {pitch:.3g} degrees, at {self._time[row]:.4g} s){turns}")
 

@@ -203,7 +203,7 @@ void CsvFile::take_decimal_comma(std::string& cell) {
     return;
   const auto commas = std::ranges::count(cell, ','), points = std::ranges::count(cell, '.');
   constexpr const char* remedy = "write decimal points, and thousands without marks between them";
-  if (commas + points != 1) // nothing to decide, or no number, which the caller refuses
+  if (commas + points != 1) // nothing to decide, or not a number, which the caller refuses
     return;
   if (commas == 1 && separator_ != ';' && may_group_thousands(cell))
     refuse(fmt::format("\"{}\" may be a number of thousands or one with a decimal comma",

@@ -15,7 +15,7 @@ namespace ionskin {
 namespace {
 
 /// Parses a number with all digits of a time stamp in nanoseconds. NaN for an empty cell and for
-/// numbers that are not finite; empty if the cell is no number.
+/// numbers that are not finite; empty if the cell is not a number.
 std::optional<long double> number(const std::string& cell) {
   if (cell.empty())
     return std::numeric_limits<long double>::quiet_NaN();

@@ -12,7 +12,7 @@ namespace ionskin {
 
 namespace {
 
-constexpr std::size_t most_told = 10;
+constexpr std::size_t most_shown = 10;
 
 bool starts_code_point(char byte) {
   return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80U;
@@ -71,7 +71,7 @@ std::string excerpt(const Pointer& pointer) {
 }
 
 bool Problems::full() const {
-  return texts_.size() >= most_told;
+  return texts_.size() >= most_shown;
 }
 
 void Problems::add(const std::string& message, const std::vector<Pointer>& pointers,
@@ -94,11 +94,11 @@ void Problems::throw_if_any(const std::string& file) const {
   if (texts_.size() == 1)
     throw UserError(base::printable(texts_.front()));
   std::string all = fmt::format("{} problems in {}", texts_.size(), base::shown(file));
-  const std::size_t told = std::min(texts_.size(), most_told);
-  for (std::size_t i = 0; i < told; ++i)
+  const std::size_t shown = std::min(texts_.size(), most_shown);
+  for (std::size_t i = 0; i < shown; ++i)
     all += fmt::format("\n\n({}) {}", i + 1, texts_[i]);
-  if (told < texts_.size())
-    all += fmt::format("\n\nand {} more, shown once these are mended", texts_.size() - told);
+  if (shown < texts_.size())
+    all += fmt::format("\n\nand {} more, shown once these are mended", texts_.size() - shown);
   throw UserError(base::printable(all));
 }
 

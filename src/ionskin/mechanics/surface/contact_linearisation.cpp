@@ -14,7 +14,8 @@ using laws::CellResponse;
 using laws::CellStatus;
 using laws::CellTrial;
 
-Standing::Standing(const ContactProblem& problem, const SliderStep& step, const Iterate& iterate)
+ContactEvaluation::ContactEvaluation(const ContactProblem& problem, const SliderStep& step,
+                                     const Iterate& iterate)
     : surface(problem.surface_displacement(iterate.force)) {
   if (step.load.kind == LoadKind::force) {
     residual = std::abs(total_normal_force(iterate.force) - step.load.value);
@@ -37,7 +38,7 @@ Standing::Standing(const ContactProblem& problem, const SliderStep& step, const 
 }
 
 ContactLinearisation::ContactLinearisation(const ContactProblem& problem, const SliderStep& step,
-                                           const Standing& at)
+                                           const ContactEvaluation& at)
     : problem_(problem), step_(step), at_(at) {
   for (const int cell : at_.active) {
     first_.push_back(size_);

@@ -18,7 +18,7 @@ struct Iterate {
 
 /// Evaluation of the contact equations at an iterate: displacement, trial forces, response and
 /// status of each cell, and the residual.
-struct Standing {
+struct ContactEvaluation {
   CellVector surface; ///< mean displacement of each cell [m]
   std::vector<laws::CellTrial> trial;
   std::vector<laws::CellResponse> response;
@@ -29,7 +29,7 @@ struct Standing {
   /// slider and undeformed skin meet, pull and pressure of an adhesive contact cancel.
   double largest_force = 0;
 
-  Standing(const ContactProblem& problem, const SliderStep& step, const Iterate& iterate);
+  ContactEvaluation(const ContactProblem& problem, const SliderStep& step, const Iterate& iterate);
 };
 
 /// Linearised equations of the active set at an iterate. Unknowns are the changes of the forces of
@@ -39,7 +39,8 @@ struct Standing {
 class ContactLinearisation {
 public:
   /// Sets up the equations. All arguments must outlive this object.
-  ContactLinearisation(const ContactProblem& problem, const SliderStep& step, const Standing& at);
+  ContactLinearisation(const ContactProblem& problem, const SliderStep& step,
+                       const ContactEvaluation& at);
 
   /// Number of the equations.
   Eigen::Index size() const { return size_; }
@@ -96,7 +97,7 @@ private:
 
   const ContactProblem& problem_;
   const SliderStep& step_;
-  const Standing& at_;
+  const ContactEvaluation& at_;
   std::vector<Eigen::Index> first_; ///< index of the first equation of each active cell
   bool sticks_ = false;             ///< true if a cell sticks whose tangential forces are unknowns
   /// Approximate normal forces of the active cells that an indentation of 1 m makes [N].

@@ -53,7 +53,7 @@ void begin_anew(const ContactProblem& problem, const SliderStep& step, Iterate& 
 /// Sets cells to stick that an iteration moved so far that they would slip against their traction.
 /// Otherwise they would alternate between stick and slip.
 void hold_turned(const ContactProblem& problem, const SliderStep& step, const Iterate& iterate,
-                 Standing& at) {
+                 ContactEvaluation& at) {
   for (const int cell : at.active) {
     const double* force = iterate.force.data() + 3 * static_cast<std::ptrdiff_t>(cell);
     const laws::TangentialVector& trial = at.trial[cell].tangential;
@@ -76,7 +76,7 @@ void go_half_back(const Iterate& before, Iterate& now) {
 
 } // namespace
 
-void ContactNewton::factorise(const ContactLinearisation& equations, const Standing& at) {
+void ContactNewton::factorise(const ContactLinearisation& equations, const ContactEvaluation& at) {
   factor_.compute(equations.matrix());
   factor_size_ = equations.size();
   factorised_ = at.status;
@@ -85,7 +85,8 @@ void ContactNewton::factorise(const ContactLinearisation& equations, const Stand
 
 /// Adjusts forces, within the tolerance, to the status of their cells: open cells carry nothing,
 /// slipping cells their friction limit, and no cell is pulled by more than its adhesion.
-void ContactNewton::settle(const ContactProblem& problem, const Standing& at, Iterate& iterate) {
+void ContactNewton::settle(const ContactProblem& problem, const ContactEvaluation& at,
+                           Iterate& iterate) {
   settled_by_ = {};
   for (int cell = 0; cell < problem.cells(); ++cell) {
     double* force = iterate.force.data() + 3 * static_cast<std::ptrdiff_t>(cell);
@@ -119,7 +120,7 @@ bool ContactNewton::solve(const ContactProblem& problem, const SliderStep& step,
                                    : most_iterations;
   for (int i = 0; i < most; ++i) {
     iterations_ = i;
-    Standing at(problem, step, now);
+    ContactEvaluation at(problem, step, now);
     if (!std::isfinite(at.residual)) {
       return false;
     }

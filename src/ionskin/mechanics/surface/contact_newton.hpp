@@ -42,8 +42,8 @@ public:
   const std::array<double, 2>& settled_by() const { return settled_by_; }
 
 private:
-  void factorise(const ContactLinearisation& equations, const Standing& at);
-  void settle(const ContactProblem& problem, const Standing& at, Iterate& iterate);
+  void factorise(const ContactLinearisation& equations, const ContactEvaluation& at);
+  void settle(const ContactProblem& problem, const ContactEvaluation& at, Iterate& iterate);
 
   Eigen::PartialPivLU<Eigen::MatrixXd> factor_;
   Eigen::Index factor_size_ = 0;             ///< size of the factorised Jacobian; 0: none

@@ -16,7 +16,7 @@
 namespace ionskin::study {
 namespace {
 
-std::string told(const std::string& what_is_kept, const SolverError& error) {
+std::string shortfall_warning(const std::string& what_is_kept, const SolverError& error) {
   return fmt::format("The run is unfinished: {}. Why: {}. What helps: {}.", what_is_kept,
                      error.what(), error.remedy());
 }
@@ -56,7 +56,7 @@ void keep_unfinished_contact(const Case& input, const RunOptions& options,
       kept = "the contact gave up, and its strain is not a number";
     }
   }
-  outputs.warnings.push_back(told(kept, error));
+  outputs.warnings.push_back(shortfall_warning(kept, error));
   write(input, outputs, start, folder);
 }
 
@@ -68,7 +68,7 @@ void keep_unfinished_ions(const Case& input, const RunOptions& options,
   outputs.signals = read_out_mechanics(input, mechanics, options.threads);
   outputs.audits = audit(audited_metrics(mechanics, outputs.signals));
   outputs.warnings = mechanics_warnings(input, mechanics);
-  outputs.warnings.push_back(told(
+  outputs.warnings.push_back(shortfall_warning(
       fmt::format("{}its figures are those of the strain alone",
                   ions != nullptr ? "its signals end where the ion transport gave up, and " : ""),
       error));

@@ -26,7 +26,7 @@ std::string nested(int depth, const std::string& open, const std::string& close)
   return text;
 }
 
-TEST(ReadJson, gives_values_and_nothing_for_what_is_not_json) {
+TEST(ReadJson, GivesValuesAndNothingForWhatIsNotJson) {
   const auto value = base::parse_json(R"({"b": [1, {"c": "["}], "a": null})");
   ASSERT_TRUE(value);
   EXPECT_EQ(value->dump(), R"({"b":[1,{"c":"["}],"a":null})");
@@ -35,7 +35,7 @@ TEST(ReadJson, gives_values_and_nothing_for_what_is_not_json) {
   }
 }
 
-TEST(ReadJson, refuses_what_is_nested_too_deeply_whatever_the_depth) {
+TEST(ReadJson, RefusesWhatIsNestedTooDeeplyWhateverTheDepth) {
   EXPECT_TRUE(base::parse_json(nested(base::deepest_json, "[", "]")));
   EXPECT_TRUE(base::parse_json(nested(base::deepest_json, "{\"a\":", "}")));
   for (const int depth : {base::deepest_json + 1, 1'000'000}) {
@@ -45,7 +45,7 @@ TEST(ReadJson, refuses_what_is_nested_too_deeply_whatever_the_depth) {
   }
 }
 
-TEST(ReadJson, reads_ordinary_files_alone_and_no_more_than_told) {
+TEST(ReadJson, ReadsOrdinaryFilesAloneAndNoMoreThanAllowed) {
   const results::ScratchFolder folder;
   const auto file = folder.path() / "a.json";
   std::ofstream(file) << "[1, 2]";

@@ -52,7 +52,7 @@ ContactGrid cells() {
   return {{-0.2e-3, -0.05e-3, 0.1e-3}, {-0.1e-3, 0, 0.15e-3}};
 }
 
-TEST(FreeFaces, soften_the_skin_and_never_stiffen_it) {
+TEST(FreeFaces, SoftenTheSkinAndNeverStiffenIt) {
   const Eigen::MatrixXd rollers = compliance(cells(), 0.5e-3, 0.5e-3,
                                              {.sides_free = false, .ends_free = false}),
                         sides = compliance(cells(), 0.5e-3, 0.5e-3, {.ends_free = false}),
@@ -66,7 +66,7 @@ TEST(FreeFaces, soften_the_skin_and_never_stiffen_it) {
   }
 }
 
-TEST(FreeFaces, are_alike_under_an_exchange_of_x_and_y) {
+TEST(FreeFaces, AreAlikeUnderAnExchangeOfXAndY) {
   // The sides of one skin are the ends of the other.
   const ContactGrid one = cells(), other{one.y, one.x};
   const Eigen::MatrixXd a = compliance(one, 0.6e-3, 0.5e-3, {.along_side = 60, .along_end = 36}),
@@ -93,7 +93,7 @@ TEST(FreeFaces, are_alike_under_an_exchange_of_x_and_y) {
   EXPECT_LT(worst, 2e-4 * a.cwiseAbs().maxCoeff());
 }
 
-TEST(FreeFaces, converge_in_modes_and_degree) {
+TEST(FreeFaces, ConvergeInModesAndDegree) {
   const Eigen::MatrixXd coarse = compliance(cells(), 0.6e-3, 0.5e-3, {3, 40, 16}),
                         more_modes = compliance(cells(), 0.6e-3, 0.5e-3, {3, 80, 32}),
                         higher_degree = compliance(cells(), 0.6e-3, 0.5e-3, {5, 40, 16});
@@ -102,7 +102,7 @@ TEST(FreeFaces, converge_in_modes_and_degree) {
   EXPECT_LT((higher_degree - coarse).cwiseAbs().maxCoeff(), 2e-3 * largest);
 }
 
-TEST(ModeSum, stands_for_a_sum_over_all_modes_of_a_parity) {
+TEST(ModeSum, StandsForASumOverAllModesOfAParity) {
   // Sums of 1/(n^2 + a^2) over even and odd n of both signs.
   constexpr double a = 7.3;
   const double half = std::numbers::pi * a / 2;

@@ -61,7 +61,7 @@ FieldCase well_resolved() {
 }
 
 // Inside the core; near the films free edges strain it without bound.
-TEST(FreeFields, bear_no_stress_on_faces_and_hand_all_forces_on_through_every_level) {
+TEST(FreeFields, BearNoStressOnFacesAndHandAllForcesOnThroughEveryLevel) {
   const ContactGrid half{{-0.2e-3, -0.05e-3, 0.1e-3}, {-0.15e-3, 0}, true};
   const std::vector<double> force{1, 0.4, 0.2, 0.7, -0.1, 0.5};
   const TestGrid faces{{0, 0.6e-3}, {0, 0.5e-3}, {60e-6, 80e-6, 110e-6}, {0, 1.2e-3}, {0, 0.6e-3}};
@@ -86,7 +86,7 @@ TEST(FreeFields, bear_no_stress_on_faces_and_hand_all_forces_on_through_every_le
   }
 }
 
-TEST(FreeFields, are_alike_under_an_exchange_of_x_and_y) {
+TEST(FreeFields, AreAlikeUnderAnExchangeOfXAndY) {
   const ContactGrid one = mirrored_cells(), other{one.y, one.x, false};
   const TestGrid at_one = grid(),
                  at_other{at_one.y, at_one.x, at_one.z, at_one.column_y, at_one.column_x};
@@ -117,7 +117,7 @@ TEST(FreeFields, are_alike_under_an_exchange_of_x_and_y) {
   EXPECT_LT(difference(back(b.electrodes), a.electrodes), 3e-3);
 }
 
-TEST(FreeFields, converge_in_modes) {
+TEST(FreeFields, ConvergeInModes) {
   FieldCase more = all_free();
   more.sides = more.ends = {24, 90};
   const auto at = [](const FieldCase& skin) {
@@ -127,7 +127,7 @@ TEST(FreeFields, converge_in_modes) {
 }
 
 // Far from the ends fewer waves serve than near them.
-TEST(FreeFields, have_no_jump_on_the_way_from_an_end) {
+TEST(FreeFields, HaveNoJumpOnTheWayFromAnEnd) {
   FieldCase skin = all_free();
   skin.length = 4e-3;
   skin.sides = {30, 60};
@@ -154,7 +154,7 @@ TEST(FreeFields, have_no_jump_on_the_way_from_an_end) {
   EXPECT_LT(largest_bend(found.electrodes), 5e-5);
 }
 
-TEST(FreeFields, of_the_half_are_those_of_the_whole_under_mirrored_forces) {
+TEST(FreeFields, OfTheHalfAreThoseOfTheWholeUnderMirroredForces) {
   const FieldCase skin = all_free();
   const ContactGrid half{{-0.2e-3, 0.3e-3}, {-0.3e-3, 0}, true},
       whole{half.x, {-0.3e-3, 0, 0.3e-3}, false};

@@ -29,7 +29,7 @@ std::vector<double> forces(const ContactGrid& cells) {
   return result;
 }
 
-TEST(RollerFields, under_an_even_load_are_those_of_a_column) {
+TEST(RollerFields, UnderAnEvenLoadAreThoseOfAColumn) {
   const FieldCase skin;
   const ContactGrid whole{{-1.5e-3, 0, 1.5e-3}, {-0.6e-3, 0, 0.6e-3}, false};
   const double pressure = 1e5;
@@ -53,7 +53,7 @@ TEST(RollerFields, under_an_even_load_are_those_of_a_column) {
 
 // The stretch through the thickness adds up to the displacement of the surface. Of the core only
 // points are known: it is a hundredth of the polymer here.
-TEST(RollerFields, add_up_to_the_compliance_of_a_cell) {
+TEST(RollerFields, AddUpToTheComplianceOfACell) {
   FieldCase skin;
   const ElasticLayer metal = skin.layers[0], polymer = skin.layers[1];
   const auto layer = [](ElasticLayer of, double thickness) {
@@ -98,7 +98,7 @@ TEST(RollerFields, add_up_to_the_compliance_of_a_cell) {
   EXPECT_NEAR(-moved, surface_moved(3 * 4), 1e-3 * surface_moved(3 * 4));
 }
 
-TEST(RollerFields, do_not_depend_on_where_the_waves_are_divided) {
+TEST(RollerFields, DoNotDependOnWhereTheWavesAreDivided) {
   FieldCase one, other;
   one.split = WaveSplit(0.25e-3, 1e-4);
   other.split = WaveSplit(0.5e-3, 1e-4);
@@ -111,7 +111,7 @@ TEST(RollerFields, do_not_depend_on_where_the_waves_are_divided) {
   EXPECT_LT(difference(a.electrodes, b.electrodes), 1e-4);
 }
 
-TEST(RollerFields, converge_with_the_tolerance) {
+TEST(RollerFields, ConvergeWithTheTolerance) {
   FieldCase usual, tight;
   tight.tolerance = 1e-8; // twice the cut-offs
   const std::array<double, 2> centre{0.9e-3, 0.5e-3};
@@ -123,7 +123,7 @@ TEST(RollerFields, converge_with_the_tolerance) {
 }
 
 // div sigma = 0 by central differences in the core.
-TEST(RollerFields, are_in_equilibrium) {
+TEST(RollerFields, AreInEquilibrium) {
   const FieldCase skin;
   const double step = 2e-6, x = 1.03e-3, y = 0.61e-3, z = 130e-6;
   const TestGrid around{{x - step, x, x + step},
@@ -156,7 +156,7 @@ TEST(RollerFields, are_in_equilibrium) {
   }
 }
 
-TEST(RollerFields, hand_the_normal_force_on_through_every_level) {
+TEST(RollerFields, HandTheNormalForceOnThroughEveryLevel) {
   const ContactGrid one = few_cells();
   const std::vector<double> force = forces(one);
   const CoreAndElectrodes found =
@@ -169,7 +169,7 @@ TEST(RollerFields, hand_the_normal_force_on_through_every_level) {
   }
 }
 
-TEST(RollerFields, of_the_half_are_those_of_the_whole_under_mirrored_forces) {
+TEST(RollerFields, OfTheHalfAreThoseOfTheWholeUnderMirroredForces) {
   const FieldCase skin;
   const ContactGrid half{{-0.2e-3, 0, 0.3e-3}, {-0.3e-3, -0.2e-3, 0}, true},
       whole{half.x, {-0.3e-3, -0.2e-3, 0, 0.2e-3, 0.3e-3}, false};
@@ -192,7 +192,7 @@ TEST(RollerFields, of_the_half_are_those_of_the_whole_under_mirrored_forces) {
               1e-9 * b.force_through_level[1][0]);
 }
 
-TEST(RollerFields, are_the_same_bits_whatever_was_asked_for_before) {
+TEST(RollerFields, AreTheSameBitsWhateverWasAskedForBefore) {
   const FieldsOf fields(FieldCase{}, few_cells(), even_grid());
   const std::vector<double> force = forces(few_cells());
   const CoreAndElectrodes first = fields.at({0.9e-3, 0.5e-3}, force);
@@ -202,7 +202,7 @@ TEST(RollerFields, are_the_same_bits_whatever_was_asked_for_before) {
   EXPECT_EQ(first.electrodes.component, again.electrodes.component);
 }
 
-TEST(RollerFields, ask_for_levels_in_the_core_and_three_forces_a_cell) {
+TEST(RollerFields, AskForLevelsInTheCoreAndThreeForcesACell) {
   for (const double z : {-1e-6, 181e-6}) {
     TestGrid outside = even_grid();
     outside.z = {z};
@@ -223,7 +223,7 @@ void expect_alike(const CoreAndElectrodes& one, const CoreAndElectrodes& other) 
   }
 }
 
-TEST(RollerFields, of_places_that_stay_across_are_those_of_any) {
+TEST(RollerFields, OfPlacesThatStayAcrossAreThoseOfAny) {
   const FieldCase skin;
   const TestGrid grid = even_grid();
   const ContactGrid cells = few_cells(), half{cells.x, {-0.15e-3, -0.05e-3, 0.0}, true};
@@ -238,7 +238,7 @@ TEST(RollerFields, of_places_that_stay_across_are_those_of_any) {
   }
 }
 
-TEST(RollerFields, have_the_components_that_were_chosen) {
+TEST(RollerFields, HaveTheComponentsThatWereChosen) {
   const FieldCase skin;
   const ContactGrid cells = few_cells();
   const std::array<double, 2> centre{0.9e-3, 0.55e-3};

@@ -30,7 +30,7 @@ std::vector<WaveBand> bands_of(const FieldCase& skin, const ContactGrid& cells, 
   return wave_bands(bare, cells, skin.split, last);
 }
 
-TEST(WaveBands, sum_to_the_strain_of_modes_that_are_not_divided) {
+TEST(WaveBands, SumToTheStrainOfModesThatAreNotDivided) {
   FieldCase divided = thick_core(), undivided = thick_core();
   divided.split = WaveSplit(1e-3, 1e-4);
   undivided.split = WaveSplit(60e-6, 1e-4);
@@ -56,7 +56,7 @@ TEST(WaveBands, sum_to_the_strain_of_modes_that_are_not_divided) {
   }
 }
 
-TEST(WaveBands, of_a_thick_core_are_few_modes) {
+TEST(WaveBands, OfAThickCoreAreFewModes) {
   FieldCase skin;
   skin.length = 20e-3;
   skin.width = 10e-3;
@@ -75,13 +75,13 @@ TEST(WaveBands, of_a_thick_core_are_few_modes) {
   EXPECT_GE(static_cast<double>(bands.back().waves.modes_x()) * bands.back().waves.step_x(), last);
 }
 
-TEST(WaveBands, of_wide_contacts_are_the_modes_of_the_skin_and_one_box) {
+TEST(WaveBands, OfWideContactsAreTheModesOfTheSkinAndOneBox) {
   const FieldCase skin;
   const ContactGrid wide{{-1e-3, 0, 1e-3}, {-0.3e-3, 0, 0.3e-3}, false};
   EXPECT_EQ(bands_of(skin, wide, 1e6).size(), 2);
 }
 
-TEST(WaveBands, keep_their_boxes_within_the_skin) {
+TEST(WaveBands, KeepTheirBoxesWithinTheSkin) {
   const FieldCase skin;
   const WaveBand near = bands_of(skin, small_contact(), 1e5).at(1);
   const PlaneBox corner = near.box({20e-6, skin.width - 20e-6});

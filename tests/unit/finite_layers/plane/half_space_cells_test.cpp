@@ -34,7 +34,7 @@ InverseDistance midpoint_means(const Interval& x_at, const Interval& y_at, const
   return sum;
 }
 
-TEST(HalfSpaceCells, agree_with_sums_over_both_rectangles) {
+TEST(HalfSpaceCells, AgreeWithSumsOverBothRectangles) {
   const Interval x_at{-0.7, 0.4}, y_at{0.4, 1.1}, x_from{1.5, 2.0}, y_from{1.3, 2.2};
   const InverseDistance found = mean_inverse_distance(x_at, y_at, x_from, y_from),
                         expected = midpoint_means(x_at, y_at, x_from, y_from);
@@ -45,7 +45,7 @@ TEST(HalfSpaceCells, agree_with_sums_over_both_rectangles) {
   EXPECT_NEAR(found.v, expected.v, 2e-4);
 }
 
-TEST(HalfSpaceCells, have_the_known_mean_over_a_square) {
+TEST(HalfSpaceCells, HaveTheKnownMeanOverASquare) {
   // Mean of 1/r between the points of a unit square: 4 asinh(1) + 4 (1 - sqrt 2)/3.
   const Interval unit{0, 1};
   const InverseDistance mean = mean_inverse_distance(unit, unit, unit, unit);
@@ -55,7 +55,7 @@ TEST(HalfSpaceCells, have_the_known_mean_over_a_square) {
   EXPECT_NEAR(mean.u, 0, 1e-13);
 }
 
-TEST(HalfSpaceCells, of_a_cell_are_the_sum_of_its_parts) {
+TEST(HalfSpaceCells, OfACellAreTheSumOfItsParts) {
   const Interval x{0, 1}, y{0, 0.5}, left{0, 0.3}, right{0.3, 1}, x_at{0.5, 2}, y_at{0.2, 0.9};
   const InverseDistance whole = mean_inverse_distance(x_at, y_at, x, y),
                         first = mean_inverse_distance(x_at, y_at, left, y),

@@ -29,7 +29,7 @@ Eigen::MatrixXd compliance(const SurfaceCompliance& surface, const WaveSplit& sp
   return result;
 }
 
-TEST(SplitCompliance, does_not_depend_on_where_the_waves_are_divided) {
+TEST(SplitCompliance, DoesNotDependOnWhereTheWavesAreDivided) {
   const SurfaceCompliance surface(paper_skin());
   const ContactGrid grid = graded_grid();
   const Eigen::MatrixXd one = compliance(surface, WaveSplit(0.4e-3, 1e-4), grid, 2e-3, 1.1e-3),
@@ -37,7 +37,7 @@ TEST(SplitCompliance, does_not_depend_on_where_the_waves_are_divided) {
   EXPECT_LT((one - other).cwiseAbs().maxCoeff(), 1e-5 * one.cwiseAbs().maxCoeff());
 }
 
-TEST(SplitCompliance, is_that_of_all_modes_of_the_box) {
+TEST(SplitCompliance, IsThatOfAllModesOfTheBox) {
   // With waves that are all long, the modes are summed as far as cells of 0.1 mm see them.
   const SurfaceCompliance surface({elastic_layer(249e6, 0.45, 0.2e-3)});
   const ContactGrid grid{{-0.2e-3, -0.1e-3, 0.1e-3, 0.2e-3}, {-0.1e-3, 0, 0.1e-3}};
@@ -46,7 +46,7 @@ TEST(SplitCompliance, is_that_of_all_modes_of_the_box) {
   EXPECT_LT((split - modes).cwiseAbs().maxCoeff(), 4e-5 * split.cwiseAbs().maxCoeff());
 }
 
-TEST(SplitCompliance, is_symmetric_and_positive) {
+TEST(SplitCompliance, IsSymmetricAndPositive) {
   const SurfaceCompliance surface(paper_skin());
   const Eigen::MatrixXd found =
       compliance(surface, WaveSplit(0.6e-3, 1e-4), graded_grid(), 1.5e-3, 0.9e-3);
@@ -54,7 +54,7 @@ TEST(SplitCompliance, is_symmetric_and_positive) {
   EXPECT_EQ(found.llt().info(), Eigen::Success);
 }
 
-TEST(SplitCompliance, of_rows_has_a_part_that_is_alike_at_all_places_and_a_mirrored_one) {
+TEST(SplitCompliance, OfRowsHasAPartThatIsAlikeAtAllPlacesAndAMirroredOne) {
   const BoxModes modes(SurfaceCompliance(paper_skin()), length, width, WaveSplit(0.6e-3, 1e-4));
   const ContactGrid grid = graded_grid();
   const Eigen::ArrayXXd all = Eigen::ArrayXXd::Ones(modes.along_x().wave_numbers.size(),
@@ -68,7 +68,7 @@ TEST(SplitCompliance, of_rows_has_a_part_that_is_alike_at_all_places_and_a_mirro
   }
 }
 
-TEST(SplitCompliance, of_the_half_is_that_of_the_whole_under_mirrored_forces) {
+TEST(SplitCompliance, OfTheHalfIsThatOfTheWholeUnderMirroredForces) {
   const SurfaceCompliance surface(paper_skin());
   const ContactGrid half{{-0.2e-3, 0, 0.3e-3}, {-0.3e-3, -0.28e-3, 0}, true},
       whole{half.x, {-0.3e-3, -0.28e-3, 0, 0.28e-3, 0.3e-3}};
@@ -88,7 +88,7 @@ TEST(SplitCompliance, of_the_half_is_that_of_the_whole_under_mirrored_forces) {
   }
 }
 
-TEST(SplitCompliance, is_cerrutis_and_boussinesqs_on_a_thick_layer) {
+TEST(SplitCompliance, IsCerrutisAndBoussinesqsOnAThickLayer) {
   // Far above the base and far from the faces, under small cells.
   const ElasticLayer thick = elastic_layer(1e6, 0.3, 50e-3);
   const SurfaceCompliance surface({thick});

@@ -38,7 +38,7 @@ double roughness(std::vector<double> values, int order) {
   return largest;
 }
 
-TEST(SmoothSkin, compliance_does_not_jump_as_the_slider_moves) {
+TEST(SmoothSkin, ComplianceDoesNotJumpAsTheSliderMoves) {
   const LayeredSkin layers = skin();
   const auto across = layers.across(1e-3);
   std::vector<double> along;
@@ -48,7 +48,7 @@ TEST(SmoothSkin, compliance_does_not_jump_as_the_slider_moves) {
   EXPECT_LT(roughness(along, 3), 1e-6 * along.front());
 }
 
-TEST(SmoothSkin, compliance_does_not_jump_as_the_slider_moves_across) {
+TEST(SmoothSkin, ComplianceDoesNotJumpAsTheSliderMovesAcross) {
   const Skin wide = skin_of_size(15e-3, 6e-3);
   const ContactGrid grid{{-0.4e-3, 0.4e-3}, {-0.3e-3, 0.3e-3}};
   const LayeredSkin layers(wide, grid, skin_resolution(wide, {4e-3, 0.7e-3}));
@@ -59,7 +59,7 @@ TEST(SmoothSkin, compliance_does_not_jump_as_the_slider_moves_across) {
   EXPECT_LT(roughness(across, 4), 1.5e-5 * across.front());
 }
 
-TEST(SmoothSkin, strain_along_a_side_has_no_ripple_far_from_the_slider) {
+TEST(SmoothSkin, StrainAlongASideHasNoRippleFarFromTheSlider) {
   const LayeredSkin layers = skin();
   const double side = 50e-6;
   FieldGrid grid{{}, {{side, side}}, {0, 15e-3}, {0, 1e-3}};

@@ -36,7 +36,7 @@ const std::vector<DepthLevel>& levels() {
   return all;
 }
 
-TEST(DepthStrain, of_a_long_wave_is_that_of_an_evenly_loaded_column) {
+TEST(DepthStrain, OfALongWaveIsThatOfAnEvenlyLoadedColumn) {
   const auto layers = paper_skin();
   const std::vector<DepthStrain> found = depth_strain(layers, 1e-6, levels());
   for (std::size_t i = 0; i < found.size(); ++i) {
@@ -50,7 +50,7 @@ TEST(DepthStrain, of_a_long_wave_is_that_of_an_evenly_loaded_column) {
   }
 }
 
-TEST(DepthStrain, is_that_of_fine_finite_elements) {
+TEST(DepthStrain, IsThatOfFineFiniteElements) {
   const auto layers = paper_skin();
   const ThicknessColumn column(layers,
                                {{1, 1}, {1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1}, {1, 1, 1}}, 8);
@@ -84,7 +84,7 @@ TEST(DepthStrain, is_that_of_fine_finite_elements) {
   }
 }
 
-TEST(DepthStrain, of_a_mean_is_the_mean_over_the_thickness) {
+TEST(DepthStrain, OfAMeanIsTheMeanOverTheThickness) {
   const auto layers = paper_skin();
   std::vector<DepthLevel> points;
   const LobattoElement rule(12, layers[1].thickness);

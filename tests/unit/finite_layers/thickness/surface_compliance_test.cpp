@@ -33,7 +33,7 @@ void expect_near(const WaveCompliance& found, const WaveCompliance& expected, do
   EXPECT_NEAR(found.mixed, expected.mixed, tolerance * std::sqrt(expected.normal * expected.along));
 }
 
-TEST(SurfaceCompliance, is_that_of_one_bonded_layer_in_closed_form) {
+TEST(SurfaceCompliance, IsThatOfOneBondedLayerInClosedForm) {
   for (const double nu : {0.0, 0.3, 0.49}) {
     const ElasticLayer layer = elastic_layer(249e6, nu, 0.2e-3);
     for (double depth = 1e-3; depth < 200; depth *= 1.7) {
@@ -43,7 +43,7 @@ TEST(SurfaceCompliance, is_that_of_one_bonded_layer_in_closed_form) {
   }
 }
 
-TEST(SurfaceCompliance, does_not_depend_on_how_a_layer_is_cut) {
+TEST(SurfaceCompliance, DoesNotDependOnHowALayerIsCut) {
   const ElasticLayer whole = elastic_layer(249e6, 0.49, 0.2e-3);
   ElasticLayer lower = whole, upper = whole;
   lower.thickness *= 0.3;
@@ -54,7 +54,7 @@ TEST(SurfaceCompliance, does_not_depend_on_how_a_layer_is_cut) {
   }
 }
 
-TEST(SurfaceCompliance, passes_from_a_uniform_column_to_the_half_space_of_the_top_layer) {
+TEST(SurfaceCompliance, PassesFromAUniformColumnToTheHalfSpaceOfTheTopLayer) {
   const SurfaceCompliance surface(paper_skin());
   const double thickness = surface.thickness();
   const WaveCompliance uniform = uniform_compliance(surface.layers());
@@ -77,7 +77,7 @@ void expect_tabulated(const std::vector<ElasticLayer>& layers, double tolerance)
   }
 }
 
-TEST(SurfaceCompliance, is_tabulated_closely_over_all_wave_numbers) {
+TEST(SurfaceCompliance, IsTabulatedCloselyOverAllWaveNumbers) {
   expect_tabulated(paper_skin(), 2e-6);
   expect_tabulated({elastic_layer(249e6, 0.3, 50e-6)}, 2e-6);
   // A film of a ten-thousandth of the thickness, a hundred thousand times as stiff: rounding in the
@@ -85,7 +85,7 @@ TEST(SurfaceCompliance, is_tabulated_closely_over_all_wave_numbers) {
   expect_tabulated({elastic_layer(1e6, 0.499, 1e-3), elastic_layer(1e11, 0.3, 0.1e-6)}, 3e-5);
 }
 
-TEST(SurfaceCompliance, is_what_finite_elements_through_the_thickness_converge_to) {
+TEST(SurfaceCompliance, IsWhatFiniteElementsThroughTheThicknessConvergeTo) {
   const auto layers = paper_skin();
   const ThicknessColumn column(layers, {{1}, {1, 2, 4, 4, 2, 1}, {2, 1}}, 4);
   const Eigen::Index n = column.nodes();

@@ -20,7 +20,7 @@ CellTrial trial_of(double normal, TangentialVector tangential) {
           .time_step = 0.1};
 }
 
-TEST(CellResponse, touches_where_it_is_pressed_and_sticks_within_the_limit) {
+TEST(CellResponse, TouchesWhereItIsPressedAndSticksWithinTheLimit) {
   const Friction law = friction("coulomb", 0.5, {});
   const CellResponse open = cell_response(law, trial_of(-1, {3, 0}));
   EXPECT_EQ(open.status, CellStatus::separated);
@@ -36,7 +36,7 @@ TEST(CellResponse, touches_where_it_is_pressed_and_sticks_within_the_limit) {
   EXPECT_NEAR(slips.tangential.traction[1], -0.8, 1e-12);
 }
 
-TEST(CellResponse, has_the_derivatives_of_its_forces) {
+TEST(CellResponse, HasTheDerivativesOfItsForces) {
   const Friction coulomb = friction("coulomb", 0.5, {});
   const Friction saturating = friction("saturating", 0.5, {{"strength", 1e8}, {"sharpness", 2}});
   const Friction adhesive =
@@ -66,7 +66,7 @@ TEST(CellResponse, has_the_derivatives_of_its_forces) {
   }
 }
 
-TEST(CellResponse, is_pulled_by_what_its_opening_leaves_of_the_adhesion) {
+TEST(CellResponse, IsPulledByWhatItsOpeningLeavesOfTheAdhesion) {
   const Friction law =
       friction("adhesive", 0.3, {{"work_of_adhesion", 50}, {"cohesive_strength", 1e8}});
   CellTrial trial = trial_of(-3, {1, 0});
@@ -84,7 +84,7 @@ TEST(CellResponse, is_pulled_by_what_its_opening_leaves_of_the_adhesion) {
   EXPECT_EQ(cell_response(law, trial).normal, trial.normal); // held on the slider's face
 }
 
-TEST(CellResponse, slides_along_a_direction_that_is_given_whatever_its_own_slip) {
+TEST(CellResponse, SlidesAlongADirectionThatIsGivenWhateverItsOwnSlip) {
   const Friction law = friction("anisotropic", 0.4, {{"transverse_friction", 0.1}});
   CellTrial trial = trial_of(2, {-7, 5});
   trial.time_step = 0;
@@ -97,7 +97,7 @@ TEST(CellResponse, slides_along_a_direction_that_is_given_whatever_its_own_slip)
   EXPECT_NEAR(slides.tangential.by_normal[0], 0.16 * 0.6 / length, 1e-12);
 }
 
-TEST(CellResponse, keeps_what_is_no_number) {
+TEST(CellResponse, KeepsWhatIsNotANumber) {
   const CellTrial trial = trial_of(std::numeric_limits<double>::quiet_NaN(), {0, 0});
   EXPECT_TRUE(std::isnan(cell_response(friction("coulomb", 0.5, {}), trial).normal));
 }

@@ -6,14 +6,14 @@
 namespace ionskin::laws {
 namespace {
 
-TEST(CoulombFriction, limit_is_proportional_to_pressure_and_zero_in_tension) {
+TEST(CoulombFriction, LimitIsProportionalToPressureAndZeroInTension) {
   const CoulombFriction law{0.3};
   EXPECT_DOUBLE_EQ(law.limit({2e6, 1e-6, 0.1}), 0.6e6);
   EXPECT_EQ(law.limit({-2e6, 1e-6, 0.1}), 0.0);
   EXPECT_DOUBLE_EQ(law.limit({2e6, 5e-6, 0.01}), law.limit({2e6, 1e-6, 0.1})); // rate-independent
 }
 
-TEST(CoulombFriction, slope_agrees_with_finite_differences) {
+TEST(CoulombFriction, SlopeAgreesWithFiniteDifferences) {
   const CoulombFriction law{0.3};
   for (const double traction : {-1e6, 1e6}) {
     const double difference =

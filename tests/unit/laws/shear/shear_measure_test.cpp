@@ -125,7 +125,7 @@ TEST(ShearMeasure, DependsOnTheComponentsThatItSaysItReads) {
   }
 }
 
-TEST(ShearMeasure, OfAComponentThatNobodyComputedIsNoNumber) {
+TEST(ShearMeasure, OfAComponentThatNobodyComputedIsNotANumber) {
   std::array<std::vector<double>, 6> strain;
   strain[5] = {0.01, 0.02};
   const std::vector<double> shear = evaluate_shear(shear_measure("off-diagonal"), strain);

@@ -42,7 +42,7 @@ struct OneCell {
   }
 };
 
-TEST(AdhesiveContact, of_a_stiff_cell_follows_the_law_up_to_its_range) {
+TEST(AdhesiveContact, OfAStiffCellFollowsTheLawUpToItsRange) {
   const double softening = 0.5, compliance = softening * range / most;
   OneCell cell(compliance);
   EXPECT_NEAR(cell.at_height(-1e-6), 1e-6 / compliance, 1e-9 * most);
@@ -60,7 +60,7 @@ TEST(AdhesiveContact, of_a_stiff_cell_follows_the_law_up_to_its_range) {
               1e-9 * most);
 }
 
-TEST(AdhesiveContact, of_a_soft_cell_jumps_off_where_the_spring_pulls_harder) {
+TEST(AdhesiveContact, OfASoftCellJumpsOffWhereTheSpringPullsHarder) {
   const double compliance = 2 * range / most;
   OneCell cell(compliance);
   cell.at_height(-1e-6);
@@ -71,7 +71,7 @@ TEST(AdhesiveContact, of_a_soft_cell_jumps_off_where_the_spring_pulls_harder) {
 }
 
 /// Pull and pressure cancel there, so that the forces are no measure of the residual.
-TEST(AdhesiveContact, of_a_flat_slider_is_found_at_the_height_of_the_undeformed_skin) {
+TEST(AdhesiveContact, OfAFlatSliderIsFoundAtTheHeightOfTheUndeformedSkin) {
   constexpr int across = 6, cells = across * across;
   const double width = std::sqrt(area), softness = 0.02 * range / most * width;
   const auto set_compliance = [&](const auto&, ContactProblem& problem) {
@@ -98,7 +98,7 @@ TEST(AdhesiveContact, of_a_flat_slider_is_found_at_the_height_of_the_undeformed_
   }
 }
 
-TEST(AdhesiveContact, carries_a_pull_that_is_given_or_lets_go) {
+TEST(AdhesiveContact, CarriesAPullThatIsGivenOrLetsGo) {
   OneCell cell(0.5 * range / most);
   const auto under = [&](double force) {
     return cell.contact.step(1, centre, {LoadKind::force, force});
@@ -114,7 +114,7 @@ TEST(AdhesiveContact, carries_a_pull_that_is_given_or_lets_go) {
   EXPECT_TRUE(cell.contact.in_contact());
 }
 
-TEST(AdhesiveContact, counts_what_a_jump_loses) {
+TEST(AdhesiveContact, CountsWhatAJumpLoses) {
   const double compliance = 2 * range / most;
   OneCell cell(compliance);
   cell.at_height(-1e-6);
@@ -129,7 +129,7 @@ TEST(AdhesiveContact, counts_what_a_jump_loses) {
               1e-6 * adhesion_work * area);
 }
 
-TEST(AdhesiveContact, is_stepped_through_heights_or_pulls_alone) {
+TEST(AdhesiveContact, IsSteppedThroughHeightsOrPullsAlone) {
   const SliderLevel above{false, range}, touching{false, 0.5 * range};
   for (const auto& [from, to] :
        {std::pair{SliderLevel{false, 0.6 * range}, SliderLevel{false, 0.9 * range}},
@@ -150,7 +150,7 @@ TEST(AdhesiveContact, is_stepped_through_heights_or_pulls_alone) {
 }
 
 /// Forces take it off, leave it where it let go, and land it again from there.
-TEST(AdhesiveContact, that_forces_move_loses_in_jumps_what_the_slider_does_not_get_back) {
+TEST(AdhesiveContact, ThatForcesMoveLosesInJumpsWhatTheSliderDoesNotGetBack) {
   OneCell cell(0.5 * range / most);
   StepperOptions options;
   options.heaviest_force = 2 * most;
@@ -181,7 +181,7 @@ Case adhesive_case() {
   return input;
 }
 
-TEST(AdhesiveContact, pulls_on_the_way_up_and_gives_the_same_bits_with_more_threads) {
+TEST(AdhesiveContact, PullsOnTheWayUpAndGivesTheSameBitsWithMoreThreads) {
   const Case input = adhesive_case();
   base::Timers timers;
   const ContactSolution one = solve_contact(input, {.threads = 1}, timers);

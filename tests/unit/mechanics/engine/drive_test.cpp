@@ -28,7 +28,7 @@ std::vector<double> free_swing(const Drive& drive, double time, int steps) {
   return {slider.place()[0], slider.place()[1]};
 }
 
-TEST(CompliantDrive, swings_with_second_order) {
+TEST(CompliantDrive, SwingsWithSecondOrder) {
   const Drive drive{200, 0.4, 5e-3};
   const double decay = drive.damping / (2 * drive.mass);
   const double frequency = std::sqrt(drive.stiffness / drive.mass - decay * decay);
@@ -46,7 +46,7 @@ TEST(CompliantDrive, swings_with_second_order) {
   EXPECT_GT(std::log2(error[1] / error[2]), 1.7);
 }
 
-TEST(CompliantDrive, without_mass_it_creeps_and_without_damping_it_is_a_spring) {
+TEST(CompliantDrive, WithoutMassItCreepsAndWithoutDampingItIsASpring) {
   const auto place = free_swing({100, 2, 0}, 0.02, 400);
   EXPECT_NEAR(place[0], 1e-3 * (1 - std::exp(-1)), 1e-7);
   CompliantDrive spring({100, 0, 0}, 0.5, {true, false});
@@ -73,7 +73,7 @@ ContactSolution solved(const Case& input) {
   return solve_contact(input, options, timers);
 }
 
-TEST(DrivenSlider, lags_by_friction_over_stiffness_and_lands_at_the_drive) {
+TEST(DrivenSlider, LagsByFrictionOverStiffnessAndLandsAtTheDrive) {
   Case input = driven_case();
   const ContactSolution solution = solved(input);
   const SteppedInstant& sliding = nearest(solution, 1.5); // the middle of the slide
@@ -88,7 +88,7 @@ TEST(DrivenSlider, lags_by_friction_over_stiffness_and_lands_at_the_drive) {
   EXPECT_EQ(solution.stepped.back().drive_force[0], 0);
 }
 
-TEST(DrivenSlider, of_a_stiff_drive_is_the_slider_without_one) {
+TEST(DrivenSlider, OfAStiffDriveIsTheSliderWithoutOne) {
   Case input = driven_case();
   input.motion.kind = MotionKind::waypoints;
   input.motion.waypoints = {{0, {1.5e-3, 1e-3}, 1e-3, {}},
@@ -109,7 +109,7 @@ TEST(DrivenSlider, of_a_stiff_drive_is_the_slider_without_one) {
   }
 }
 
-TEST(DrivenSlider, swings_on_where_the_path_halts_beyond_its_end) {
+TEST(DrivenSlider, SwingsOnWhereThePathHaltsBeyondItsEnd) {
   Case input = driven_case();
   input.contact.friction = 0.002;
   input.motion.drive = {100, 0, 50e-3}; // a period of 140 ms
@@ -134,7 +134,7 @@ bool warns_of_an_edge(const ContactSolution& solution) {
   });
 }
 
-TEST(DrivenSlider, says_where_it_comes_nearer_to_an_edge_than_expected) {
+TEST(DrivenSlider, SaysWhereItComesNearerToAnEdgeThanExpected) {
   Case input = driven_case();
   input.contact.friction = 0.002;
   input.motion.drive = {100, 0, 50e-3}; // a period of 140 ms: it swings on by 1 mm
@@ -153,7 +153,7 @@ TEST(DrivenSlider, says_where_it_comes_nearer_to_an_edge_than_expected) {
   EXPECT_FALSE(warns_of_an_edge(solved(driven_case())));
 }
 
-TEST(DrivenSlider, off_the_middle_its_strain_is_that_of_the_place_where_it_is) {
+TEST(DrivenSlider, OffTheMiddleItsStrainIsThatOfThePlaceWhereItIs) {
   Case input = driven_case();
   input.slider.start[1] -= 0.1e-3;
   const ContactSolution solution = solved(input);
@@ -167,7 +167,7 @@ TEST(DrivenSlider, off_the_middle_its_strain_is_that_of_the_place_where_it_is) {
   EXPECT_GT(aside, 1e-8); // it yields along y, too
 }
 
-TEST(DrivenSlider, is_given_up_where_its_steps_get_nowhere) {
+TEST(DrivenSlider, IsGivenUpWhereItsStepsGetNowhere) {
   const Case input = driven_case();
   base::Timers timers;
   ContactOptions options;

@@ -7,7 +7,7 @@
 namespace ionskin::mechanics {
 namespace {
 
-TEST(KeptPath, counts_a_slider_below_the_skin_without_load_as_a_violation) {
+TEST(KeptPath, CountsASliderBelowTheSkinWithoutLoadAsAViolation) {
   ContactSolution solution{.mesh = line().model->mesh};
   KeptPath path(*line().model, nullptr, {1e-2, 1, 1, 0.1}, solution);
   const SlidingContact slider = line().slider();

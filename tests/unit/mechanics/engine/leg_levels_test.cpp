@@ -13,7 +13,7 @@ MotionLeg leg(const SliderLevel& from, const SliderLevel& to) {
   return {Phase::touchdown, 0, 1, spot, spot, from, to};
 }
 
-TEST(LegLevels, of_heights_touch_where_the_slider_is_below_the_skin) {
+TEST(LegLevels, OfHeightsTouchWhereTheSliderIsBelowTheSkin) {
   const SlidingContact above = line().slider();
   const LegLevels down = leg_levels(leg({false, 3e-6}, {false, -1e-6}), above, spot, 1);
   EXPECT_DOUBLE_EQ(down.begin, 0.75);
@@ -28,7 +28,7 @@ TEST(LegLevels, of_heights_touch_where_the_slider_is_below_the_skin) {
   EXPECT_EQ(*up.height(1), 3e-6);
 }
 
-TEST(LegLevels, of_forces_have_no_heights_and_are_those_of_the_meshed_part) {
+TEST(LegLevels, OfForcesHaveNoHeightsAndAreThoseOfTheMeshedPart) {
   const LegLevels pulled = leg_levels(leg({true, 4}, {true, 2}), line().slider(), spot, 0.5);
   EXPECT_FALSE(pulled.presses());
   EXPECT_FALSE(pulled.height(0.5));
@@ -36,7 +36,7 @@ TEST(LegLevels, of_forces_have_no_heights_and_are_those_of_the_meshed_part) {
   EXPECT_DOUBLE_EQ(pulled.load(0.5).value, 1.5);
 }
 
-TEST(LegLevels, from_a_height_to_a_force_go_to_where_it_is_carried) {
+TEST(LegLevels, FromAHeightToAForceGoToWhereItIsCarried) {
   const SlidingContact above = line().slider();
   const LegLevels landing = leg_levels(leg({false, 1e-6}, {true, 5}), above, spot, 1);
   EXPECT_FALSE(above.in_contact()) << "only tried out";

@@ -13,7 +13,7 @@ MotionLeg slide(const std::array<double, 2>& from, const std::array<double, 2>& 
   return {Phase::slide, 0, 1, from, to, {false, -1e-6}, {false, -1e-6}};
 }
 
-TEST(OnsetTravel, begins_at_a_rest_and_at_a_turn_and_grows_until_all_slips) {
+TEST(OnsetTravel, BeginsAtARestAndAtATurnAndGrowsUntilAllSlips) {
   SlidingContact slider = line().slider();
   const SliderLoad load{LoadKind::indentation, 1e-6};
   std::array<double, 2> place{2e-3, 1e-3};

@@ -9,7 +9,7 @@
 namespace ionskin::mechanics {
 namespace {
 
-TEST(PathThinning, keeps_what_straight_lines_miss) {
+TEST(PathThinning, KeepsWhatStraightLinesMiss) {
   std::vector<double> kept;
   PathThinning thinning({1e-2, 1, 1, 1},
                         [&](PathThinning::Instant&& instant) { kept.push_back(instant.time); });
@@ -24,7 +24,7 @@ TEST(PathThinning, keeps_what_straight_lines_miss) {
   EXPECT_EQ(kept.back(), 1);
 }
 
-TEST(PathThinning, rounding_does_not_pass_the_longest_way) {
+TEST(PathThinning, RoundingDoesNotPassTheLongestWay) {
   for (const double rounding : {-1e-12, 0.0, 1e-12}) {
     int kept = 0;
     PathThinning thinning({1e-2, 1, 1, 0.1}, [&](PathThinning::Instant&&) { ++kept; });

@@ -30,7 +30,7 @@ struct ShortStepper {
 
 constexpr MotionLeg along_x{Phase::slide, 0, 1, {0, 0}, {1e-3, 0}, {false, -1e-6}, {false, -1e-6}};
 
-TEST(PrescribedSteps, are_halved_where_the_contact_has_no_solution) {
+TEST(PrescribedSteps, AreHalvedWhereTheContactHasNoSolution) {
   ShortStepper at(0.3e-3);
   at.contact.step(1, along_x.from, {LoadKind::indentation, 1e-6});
   PrescribedSteps steps(at.contact);
@@ -47,7 +47,7 @@ TEST(PrescribedSteps, are_halved_where_the_contact_has_no_solution) {
   EXPECT_EQ(at.contact.place()[0], 1e-3);
 }
 
-TEST(PrescribedSteps, are_given_up_where_halving_does_not_help) {
+TEST(PrescribedSteps, AreGivenUpWhereHalvingDoesNotHelp) {
   ShortStepper at(1e-6);
   at.contact.step(1, along_x.from, {LoadKind::indentation, 1e-6});
   PrescribedSteps steps(at.contact);

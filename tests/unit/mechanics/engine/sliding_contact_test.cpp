@@ -14,7 +14,7 @@
 namespace ionskin::mechanics {
 namespace {
 
-TEST(SlidingContact, is_the_contact_of_single_steps) {
+TEST(SlidingContact, IsTheContactOfSingleSteps) {
   SlidingContact slider = line().slider();
   slider.step(0.1, {2e-3, 1e-3}, {LoadKind::indentation, 1e-6});
   EXPECT_TRUE(slider.sticks());
@@ -30,7 +30,7 @@ TEST(SlidingContact, is_the_contact_of_single_steps) {
   EXPECT_EQ(slider.fallbacks(), 0);
 }
 
-TEST(SlidingContact, holds_a_force_and_leaves_without_a_trace) {
+TEST(SlidingContact, HoldsAForceAndLeavesWithoutATrace) {
   SlidingContact slider = line().slider();
   slider.step(0.1, {2e-3, 1e-3}, {LoadKind::force, 5});
   EXPECT_NEAR(total_normal_force(slider.state().force), 5, 1e-7);
@@ -65,7 +65,7 @@ double tangential_force(const SurfaceState& state) {
   return sum;
 }
 
-TEST(SlidingContact, takes_any_step_of_a_random_walk) {
+TEST(SlidingContact, TakesAnyStepOfARandomWalk) {
   for (const laws::Friction& law : all_laws()) {
     for (const bool by_force : {false, true}) {
       SlidingContact slider = line().slider(law);
@@ -107,7 +107,7 @@ double coefficient_at(const laws::Friction& law, double speed) {
   return tangential_force(slider.state()) / total_normal_force(slider.state().force);
 }
 
-TEST(SlidingContact, slides_with_the_coefficient_of_its_speed) {
+TEST(SlidingContact, SlidesWithTheCoefficientOfItsSpeed) {
   const auto viscous = laws::friction("viscous", 0.3, {{"reference_speed", 2e-3}});
   EXPECT_NEAR(coefficient_at(viscous, 2e-3), 0.3, 1e-4);
   EXPECT_NEAR(coefficient_at(viscous, 1e-3), 0.15, 1e-4);
@@ -119,7 +119,7 @@ TEST(SlidingContact, slides_with_the_coefficient_of_its_speed) {
               0.3, 1e-6);
 }
 
-TEST(SlidingContact, friction_that_lags_converges_with_the_step) {
+TEST(SlidingContact, FrictionThatLagsConvergesWithTheStep) {
   const auto stribeck = laws::friction(
       "stribeck", 0.3, {{"kinetic_friction", 0.2}, {"stribeck_speed", 1e-3}, {"lag_time", 5e-3}});
   std::vector<double> ratio;
@@ -137,7 +137,7 @@ TEST(SlidingContact, friction_that_lags_converges_with_the_step) {
   EXPECT_LT(std::abs(ratio[2] - ratio[1]), 2e-3);
 }
 
-TEST(SlidingContact, elastic_slip_comes_back_in_any_number_of_steps) {
+TEST(SlidingContact, ElasticSlipComesBackInAnyNumberOfSteps) {
   const auto law = laws::friction("regularised", 0.3, {{"slip_length", 2e-6}});
   std::vector<double> force;
   for (const int steps : {1, 5}) {
@@ -191,14 +191,14 @@ double work_of_cycles(const laws::Friction& law, double force_there, double forc
   return work / all;
 }
 
-TEST(SlidingContact, no_cycle_of_force_and_way_gives_energy) {
+TEST(SlidingContact, NoCycleOfForceAndWayGivesEnergy) {
   const auto law = laws::friction("regularised", 0.5, {{"slip_length", 100e-6}});
   EXPECT_GT(work_of_cycles(law, 1, 20), 0);
   EXPECT_GT(work_of_cycles(law, 20, 1), 0);
   EXPECT_NEAR(work_of_cycles(law, 5, 5), 0, 0.01); // elastic
 }
 
-TEST(SlidingContact, a_step_without_solution_leaves_what_friction_remembers) {
+TEST(SlidingContact, AStepWithoutSolutionLeavesWhatFrictionRemembers) {
   SlidingContact slider = line().slider(laws::friction(
       "stribeck", 0.3, {{"kinetic_friction", 0.2}, {"stribeck_speed", 1e-3}, {"lag_time", 5e-3}}));
   slider.step(0.1, {2e-3, 1e-3}, {LoadKind::indentation, 1e-6});

@@ -29,13 +29,13 @@ Case coarse_finger() {
   return input;
 }
 
-TEST(FindFootprint, of_a_sharp_slider_is_its_plan) {
+TEST(FindFootprint, OfASharpSliderIsItsPlan) {
   const mesh::Footprint footprint = find_footprint(small_case(), 0.3, 1).footprint;
   EXPECT_EQ(footprint.half_size, (std::array<double, 2>{0.5e-3, 0.4e-3}));
   EXPECT_TRUE(footprint.sharp(0) && footprint.sharp(1));
 }
 
-TEST(FindFootprint, of_a_sphere_holds_its_contact_closely) {
+TEST(FindFootprint, OfASphereHoldsItsContactClosely) {
   const mesh::Footprint footprint = find_footprint(small_finger(), 0.3, 1).footprint;
   EXPECT_TRUE(footprint.round(0) && footprint.round(1));
   const mesh::Footprint largest = mesh::largest_footprint(small_finger());
@@ -45,7 +45,7 @@ TEST(FindFootprint, of_a_sphere_holds_its_contact_closely) {
   }
 }
 
-TEST(FindFootprint, of_a_sphere_on_few_cells_is_found) {
+TEST(FindFootprint, OfASphereOnFewCellsIsFound) {
   // Four cells across: two widths could follow each other without end, one reached, one ill filled.
   const mesh::Footprint finer = find_footprint(small_finger(), 0.3, 1).footprint;
   for (const double refinement : {0.25, 0.3}) {
@@ -59,7 +59,7 @@ TEST(FindFootprint, of_a_sphere_on_few_cells_is_found) {
   }
 }
 
-TEST(FindFootprint, of_a_barely_pressed_rounded_slider_ends_close_to_its_flat_part) {
+TEST(FindFootprint, OfABarelyPressedRoundedSliderEndsCloseToItsFlatPart) {
   Case input = small_case();
   input.slider.parameters["edge_radius"] = 0.2e-3;
   input.motion.preload = 0;
@@ -72,7 +72,7 @@ TEST(FindFootprint, of_a_barely_pressed_rounded_slider_ends_close_to_its_flat_pa
   }
 }
 
-TEST(FindFootprint, does_not_depend_on_the_number_of_threads) {
+TEST(FindFootprint, DoesNotDependOnTheNumberOfThreads) {
   Case input = coarse_finger();
   input.motion.stroke = 1e-3;
   const mesh::Footprint one = find_footprint(input, 0.3, 1).footprint,
@@ -81,7 +81,7 @@ TEST(FindFootprint, does_not_depend_on_the_number_of_threads) {
   EXPECT_EQ(one.rim, two.rim);
 }
 
-TEST(FindFootprint, is_shared_by_all_coefficients_up_to_the_next_step) {
+TEST(FindFootprint, IsSharedByAllCoefficientsUpToTheNextStep) {
   EXPECT_EQ(footprint_friction(0), 0);
   EXPECT_EQ(footprint_friction(0.05), 0.5);
   EXPECT_EQ(footprint_friction(0.5), 0.5);
@@ -92,13 +92,13 @@ TEST(FindFootprint, is_shared_by_all_coefficients_up_to_the_next_step) {
             find_footprint(input, 0.45, 1).footprint.half_size);
 }
 
-TEST(FindFootprint, refuses_a_contact_over_the_edge_of_the_skin) {
+TEST(FindFootprint, RefusesAContactOverTheEdgeOfTheSkin) {
   Case input = coarse_finger();
   input.slider.start[0] = 20e-6;
   EXPECT_THROW(find_footprint(input, 0.3, 1), UserError);
 }
 
-TEST(FindFootprint, is_not_widened_over_the_edge_of_the_skin) {
+TEST(FindFootprint, IsNotWidenedOverTheEdgeOfTheSkin) {
   Case input = coarse_finger();
   input.slider.start[0] = 20e-6;
   // The options leave out the search: the contact of the solution itself reaches the end of the
@@ -125,14 +125,14 @@ Case small_wedge(double ridge) {
   return input;
 }
 
-TEST(FindFootprint, of_a_wedge_follows_its_ridge) {
+TEST(FindFootprint, OfAWedgeFollowsItsRidge) {
   const mesh::Footprint largest = mesh::largest_footprint(small_wedge(0));
   // It indents by 1 um and rises by 0.1 mm over half its size.
   EXPECT_NEAR(largest.half_size[0], 1.15 * 5e-6, 1e-9);
   EXPECT_NEAR(largest.half_size[1], 0.4e-3, 1e-9);
 }
 
-TEST(FindFootprint, of_adhesion_over_a_wide_gap_is_found) {
+TEST(FindFootprint, OfAdhesionOverAWideGapIsFound) {
   Case input = small_wedge(0);
   input.motion.stroke = 0;
   input.motion.preload = 0.1e-6;
@@ -144,7 +144,7 @@ TEST(FindFootprint, of_adhesion_over_a_wide_gap_is_found) {
             100 * mesh::largest_footprint(input).half_size[0]);
 }
 
-TEST(FirstTouch, refuses_a_slider_that_touches_no_cell) {
+TEST(FirstTouch, RefusesASliderThatTouchesNoCell) {
   EXPECT_NO_THROW(require_touch(small_wedge(0)));
   Case input = small_wedge(0.3e-3); // far from the centre, where cells are wide
   input.motion.preload = 1e-9;
@@ -152,7 +152,7 @@ TEST(FirstTouch, refuses_a_slider_that_touches_no_cell) {
   EXPECT_THROW(find_footprint(input, 0.3, 1), UserError);
 }
 
-TEST(FirstTouch, refuses_a_path_above_the_skin) {
+TEST(FirstTouch, RefusesAPathAboveTheSkin) {
   Case input = small_case();
   input.motion.kind = MotionKind::waypoints;
   input.motion.waypoints = {{0, {1.5e-3, 1e-3}, 1e-3, {}, 0}, {1, {2e-3, 1e-3}, 1e-4, {}, 0}};

@@ -8,7 +8,7 @@
 namespace ionskin::mechanics {
 namespace {
 
-TEST(SliderShape, sphere_and_cylinder_rise_like_circles) {
+TEST(SliderShape, SphereAndCylinderRiseLikeCircles) {
   Slider slider;
   slider.shape = "sphere";
   slider.parameters["radius"] = 5e-3;
@@ -22,7 +22,7 @@ TEST(SliderShape, sphere_and_cylinder_rise_like_circles) {
   EXPECT_EQ(Underside(slider, {}).gap(0, 5.1e-3), shapes::unreachable_gap);
 }
 
-TEST(SliderShape, rounded_edges_run_around_the_corners) {
+TEST(SliderShape, RoundedEdgesRunAroundTheCorners) {
   Slider slider;
   slider.size = {3e-3, 1.5e-3};
   EXPECT_EQ(Underside(slider, {}).gap(1.5e-3, 0.75e-3), 0.0);
@@ -33,7 +33,7 @@ TEST(SliderShape, rounded_edges_run_around_the_corners) {
   EXPECT_NEAR(underside.gap(-1e-3 - 0.18e-3, 0.25e-3 + 0.24e-3), 0.1e-3, 1e-17);
 }
 
-TEST(SliderShape, a_profile_counts_from_its_lowest_point_within_the_plan) {
+TEST(SliderShape, AProfileCountsFromItsLowestPointWithinThePlan) {
   Slider slider;
   slider.shape = "profile";
   slider.size = {2e-3, 2e-3};
@@ -47,7 +47,7 @@ TEST(SliderShape, a_profile_counts_from_its_lowest_point_within_the_plan) {
   EXPECT_NEAR(reflected[0], mean[1], 1e-19);
 }
 
-TEST(SliderShape, means_over_cells_are_exact_for_a_parabola) {
+TEST(SliderShape, MeansOverCellsAreExactForAParabola) {
   Slider slider;
   slider.shape = "cylinder";
   slider.parameters["radius"] = 1.0; // so large that circle and parabola agree

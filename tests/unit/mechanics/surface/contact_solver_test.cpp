@@ -56,7 +56,7 @@ double worst_violation(const ContactProblem& problem, const SurfaceState& state)
   return contact_violations(problem, state, largest, state.indentation).largest();
 }
 
-TEST(ContactSolver, one_cell_by_hand) {
+TEST(ContactSolver, OneCellByHand) {
   ContactProblem problem = line_of_cells(1, 0.5);
   const double normal_compliance = problem.compliance(0, 0), tangential = problem.compliance(1, 1);
   const double normal = 1e-6 / normal_compliance;
@@ -69,7 +69,7 @@ TEST(ContactSolver, one_cell_by_hand) {
   EXPECT_NEAR(slipping.slip[0], 2 * limit_travel, 1e-9 * limit_travel);
 }
 
-TEST(ContactSolver, full_stick_is_a_linear_solve) {
+TEST(ContactSolver, FullStickIsALinearSolve) {
   const ContactProblem problem = line_of_cells(12, 50.0);
   const SurfaceState state = solve(problem, press(problem, 1e-6, {2e-7, -1e-7}));
   const Eigen::MatrixXd& c = problem.compliance;
@@ -83,7 +83,7 @@ TEST(ContactSolver, full_stick_is_a_linear_solve) {
   }
 }
 
-TEST(ContactSolver, partial_slip_satisfies_every_condition) {
+TEST(ContactSolver, PartialSlipSatisfiesEveryCondition) {
   for (const double friction : {0.0, 0.05, 0.3, 0.8}) {
     const ContactProblem problem = line_of_cells(30, friction);
     SurfaceState state = solve(problem, press(problem, 1e-6));
@@ -97,7 +97,7 @@ TEST(ContactSolver, partial_slip_satisfies_every_condition) {
   }
 }
 
-TEST(ContactSolver, no_indentation_means_no_force) {
+TEST(ContactSolver, NoIndentationMeansNoForce) {
   const ContactProblem problem = line_of_cells(10, 0.3);
   const SurfaceState loaded = solve(problem, press(problem, 1e-6, {5e-7, 0}));
   SliderStep lifted = press(problem, 0);
@@ -108,7 +108,7 @@ TEST(ContactSolver, no_indentation_means_no_force) {
   }
 }
 
-TEST(SteadySliding, is_the_limit_of_a_long_slide) {
+TEST(SteadySliding, IsTheLimitOfALongSlide) {
   const ContactProblem problem = line_of_cells(15, 0.4);
   const SurfaceState steady =
       steady_sliding(problem, {LoadKind::indentation, 1e-6}, {0.6, 0.8}, 1e-3);
@@ -124,7 +124,7 @@ TEST(SteadySliding, is_the_limit_of_a_long_slide) {
   }
 }
 
-TEST(SteadySliding, finds_limits_that_are_not_in_proportion_to_the_pressure) {
+TEST(SteadySliding, FindsLimitsThatAreNotInProportionToThePressure) {
   constexpr double strength = 3e7; // [Pa]; Coulomb's limit is several times that here
   constexpr double mu = 0.4;
   const laws::Friction saturating{
@@ -146,7 +146,7 @@ TEST(SteadySliding, finds_limits_that_are_not_in_proportion_to_the_pressure) {
   }
 }
 
-TEST(SteadySliding, NamesALawThatGivesNoNumberThere) {
+TEST(SteadySliding, NamesALawThatGivesNotANumberThere) {
   const laws::Friction viscous{
       "viscous", 0.4,
       [](const laws::FrictionArguments& at) {
@@ -172,7 +172,7 @@ ContactProblem round_slider(int cells, double friction) {
   return problem;
 }
 
-TEST(ContactSolver, a_round_slider_touches_only_where_it_reaches) {
+TEST(ContactSolver, ARoundSliderTouchesOnlyWhereItReaches) {
   const ContactProblem problem = round_slider(30, 0.3);
   SurfaceState state = solve(problem, press(problem, 1e-6));
   EXPECT_GT(state.force[3 * 14], 0.0);
@@ -186,7 +186,7 @@ TEST(ContactSolver, a_round_slider_touches_only_where_it_reaches) {
   }
 }
 
-TEST(ContactSolver, a_given_force_is_held_through_touchdown_sliding_and_release) {
+TEST(ContactSolver, AGivenForceIsHeldThroughTouchdownSlidingAndRelease) {
   for (const bool round : {false, true}) {
     for (const double friction : {0.0, 0.3, 0.6}) {
       const ContactProblem problem =
@@ -212,7 +212,7 @@ TEST(ContactSolver, a_given_force_is_held_through_touchdown_sliding_and_release)
   }
 }
 
-TEST(ContactSolver, force_and_indentation_control_agree) {
+TEST(ContactSolver, ForceAndIndentationControlAgree) {
   const ContactProblem problem = round_slider(25, 0.4);
   const SurfaceState given = solve(problem, press(problem, 8e-7, {1e-7, 0}));
   SliderStep step = given.step;
@@ -224,7 +224,7 @@ TEST(ContactSolver, force_and_indentation_control_agree) {
   }
 }
 
-TEST(SteadySliding, carries_a_given_force_under_any_slider) {
+TEST(SteadySliding, CarriesAGivenForceUnderAnySlider) {
   for (const auto& problem : {line_of_cells(25, 0.4), round_slider(25, 0.4)}) {
     const SurfaceState state = steady_sliding(problem, {LoadKind::force, 7.0}, {0.8, -0.6}, 1e-3);
     EXPECT_NEAR(total_normal_force(state.force), 7.0, 7e-10);
@@ -267,7 +267,7 @@ TEST(ContactSolver, AnisotropicFrictionPullsTowardsTheEasyDirection) {
   EXPECT_NEAR(oblique[1], 0.01 * 0.8 / length, 1e-5);
 }
 
-TEST(ContactDiagnostics, see_each_violation) {
+TEST(ContactDiagnostics, SeeEachViolation) {
   const ContactProblem problem = line_of_cells(5, 0.3);
   const SurfaceState good = solve(problem, press(problem, 1e-6, {1e-6, 0}));
   const auto violations = [&](SurfaceState state) {
@@ -320,7 +320,7 @@ TEST(ContactSolver, NaNIsNoConvergence) {
   EXPECT_THROW(steady_sliding(problem, {LoadKind::indentation, 1e-6}, {1, 0}, 0), SolverError);
 }
 
-TEST(ContactSolver, NamesALawThatGivesNoNumberInSteadySliding) {
+TEST(ContactSolver, NamesALawThatGivesNotANumberInSteadySliding) {
   ContactProblem problem = line_of_cells(3, 0.5);
   problem.friction.law = "of slip over time step";
   problem.friction.limit = [](const laws::FrictionArguments& at) {

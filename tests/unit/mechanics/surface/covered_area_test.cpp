@@ -43,7 +43,7 @@ std::vector<double> hertzian(const ContactCells& cells, double a) {
   return field;
 }
 
-TEST(CoveredArea, of_a_circle_is_near) {
+TEST(CoveredArea, OfACircleIsNear) {
   const ContactCells cells = square_of_cells(16);
   for (const double a : {0.66, 0.7, 0.74, 0.78, 0.82, 0.86}) {
     const double exact = std::numbers::pi * a * a;
@@ -51,7 +51,7 @@ TEST(CoveredArea, of_a_circle_is_near) {
   }
 }
 
-TEST(CoveredArea, finds_straight_borders_within_cells) {
+TEST(CoveredArea, FindsStraightBordersWithinCells) {
   ContactCells cells = square_of_cells(16);
   cells.lines_y = {0, 1};
   cells.area.assign(cells.columns(), 2.0 / static_cast<double>(cells.columns()));
@@ -72,13 +72,13 @@ TEST(CoveredArea, finds_straight_borders_within_cells) {
   }
 }
 
-TEST(CoveredArea, ends_with_the_cells) {
+TEST(CoveredArea, EndsWithTheCells) {
   const ContactCells cells = square_of_cells(5);
   EXPECT_NEAR(covered_area(cells.grid(), std::vector<double>(25, 3.0)), 4, 1e-14);
   EXPECT_EQ(covered_area(cells.grid(), std::vector<double>(25, 0.0)), 0.0);
 }
 
-TEST(BorderArea, is_half_of_the_longer_row_of_cells_along_the_border) {
+TEST(BorderArea, IsHalfOfTheLongerRowOfCellsAlongTheBorder) {
   const ContactCells cells = square_of_cells(10);
   std::vector<double> field(100, 0.0);
   field[44] = field[45] = 1; // six cells around them, of 0.04 each

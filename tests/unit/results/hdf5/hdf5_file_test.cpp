@@ -112,7 +112,7 @@ void fill_disks_and_write_other_files(const ScratchFolder& folder) {
   EXPECT_NO_THROW(write_one_value(folder / "d.h5"));
 }
 
-TEST(Hdf5File, AFullDiskIsToldOfNoOtherFile) {
+TEST(Hdf5File, AFullDiskIsReportedForNoOtherFile) {
   const ScratchFolder folder;
   // The library keeps, and leaks, the rest of a file that it could not close: a process of its own.
   const auto in_a_child = [&folder] {

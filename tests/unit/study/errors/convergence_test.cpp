@@ -17,7 +17,7 @@ Signals with_current(const std::vector<double>& current) {
   return signals;
 }
 
-TEST(Convergence, largest_values_under_sharp_edges_have_no_limit) {
+TEST(Convergence, LargestValuesUnderSharpEdgesHaveNoLimit) {
   Case input;
   input.skin.width = 2e-3;
   input.slider.size = {1e-3, 1e-3};
@@ -27,7 +27,7 @@ TEST(Convergence, largest_values_under_sharp_edges_have_no_limit) {
   EXPECT_FALSE(not_converging(input, signals, {}).contains("element_max_shear_slide"));
 }
 
-TEST(Convergence, an_extreme_that_a_mesh_does_not_resolve_has_no_error) {
+TEST(Convergence, AnExtremeThatAMeshDoesNotResolveHasNoError) {
   Case input;
   input.slider.parameters["edge_radius"] = 1e-4;
   const Signals signals = with_current({0, 1, 1, 1});
@@ -38,7 +38,7 @@ TEST(Convergence, an_extreme_that_a_mesh_does_not_resolve_has_no_error) {
                    .contains("stick_fraction_touchdown"));
 }
 
-TEST(Convergence, an_onset_that_a_mesh_does_not_resolve_is_marked) {
+TEST(Convergence, AnOnsetThatAMeshDoesNotResolveIsMarked) {
   Signals signals = with_current({0, 1, 1, 1});
   for (const char* name : {"micro_slip_time", "precursor_current_common"}) {
     signals.metrics.push_back({name, 1e-3, "1"});
@@ -47,14 +47,14 @@ TEST(Convergence, an_onset_that_a_mesh_does_not_resolve_is_marked) {
   }
 }
 
-TEST(Convergence, a_spike_of_one_step_has_no_peak) {
+TEST(Convergence, ASpikeOfOneStepHasNoPeak) {
   Case input;
   input.slider.parameters["edge_radius"] = 1e-4;
   EXPECT_EQ(not_converging(input, with_current({0, 0, -5, 1, 0}), {}).size(), 4u);
   EXPECT_TRUE(not_converging(input, with_current({0, 3, -5, 1, 0}), {}).empty());
 }
 
-TEST(Convergence, a_peak_whose_error_is_larger_than_itself_is_marked) {
+TEST(Convergence, APeakWhoseErrorIsLargerThanItselfIsMarked) {
   Case input;
   input.slider.parameters["edge_radius"] = 1e-4;
   const Signals signals = with_current({0, 3, -5, 3, 0});

@@ -36,7 +36,7 @@ Signals scaled_signals(double shear, double force) {
   return signals;
 }
 
-TEST(ErrorParts, signals_carry_the_errors_of_water_and_of_thin_layers) {
+TEST(ErrorParts, SignalsCarryTheErrorsOfWaterAndOfThinLayers) {
   ErrorFloors floors;
   floors.thin_layers = 0.02;
   EXPECT_EQ(relative_floor(floors, "current_top", "A"), 0.02);
@@ -49,7 +49,7 @@ TEST(ErrorParts, signals_carry_the_errors_of_water_and_of_thin_layers) {
 }
 
 // A current over a noise that is known.
-TEST(ErrorParts, a_signal_to_noise_errs_as_its_current) {
+TEST(ErrorParts, ASignalToNoiseErrsAsItsCurrent) {
   Signals base = scaled_signals(1, 1), mesh = base;
   for (Signals* signals : {&base, &mesh}) {
     const double peak = signals == &base ? 1e-6 : 1.2e-6;
@@ -64,7 +64,7 @@ TEST(ErrorParts, a_signal_to_noise_errs_as_its_current) {
   EXPECT_NEAR(errors.at("signal_to_noise"), errors.at("peak_sampled_current_difference"), 1e-12);
 }
 
-TEST(ErrorParts, add_up_to_the_error) {
+TEST(ErrorParts, AddUpToTheError) {
   const Signals base = scaled_signals(1, 1), mesh = scaled_signals(1.02, 1.01),
                 path = scaled_signals(1.022, 1.01);
   const auto estimate = combine_errors(
@@ -78,7 +78,7 @@ TEST(ErrorParts, add_up_to_the_error) {
               1e-9);
 }
 
-TEST(ErrorParts, a_mean_shear_errs_no_less_than_the_force) {
+TEST(ErrorParts, AMeanShearErrsNoLessThanTheForce) {
   const Signals base = scaled_signals(1, 1), mesh = scaled_signals(1.001, 1.02);
   const auto estimate = combine_errors(base, {{error_parts::mechanics_mesh, &base, &mesh}}, {});
   EXPECT_NEAR(estimate.relative.at("mean_shear_slide"), mesh_safety * 0.02, 1e-9);
@@ -88,7 +88,7 @@ TEST(ErrorParts, a_mean_shear_errs_no_less_than_the_force) {
 }
 
 // Under a prescribed force friction is the same on every mesh, and so are the works.
-TEST(ErrorParts, the_works_err_as_the_tangential_force_and_not_as_the_shear) {
+TEST(ErrorParts, TheWorksErrAsTheTangentialForceAndNotAsTheShear) {
   Signals base = scaled_signals(1, 1), mesh = scaled_signals(1.05, 1);
   for (Signals* signals : {&base, &mesh}) {
     const double force = signals == &base ? 1 : 1.01;
@@ -103,7 +103,7 @@ TEST(ErrorParts, the_works_err_as_the_tangential_force_and_not_as_the_shear) {
   EXPECT_GT(errors.at("mean_shear_slide"), 0.02);
 }
 
-TEST(ErrorParts, a_difference_that_happens_to_vanish_is_no_small_error) {
+TEST(ErrorParts, ADifferenceThatHappensToVanishIsNoSmallError) {
   const Signals base = scaled_signals(1, 1);
   Signals mesh = scaled_signals(1.01, 1);
   mesh.metrics[1].value = base.metrics[1].value; // the mean shear is off at every other instant
@@ -111,7 +111,7 @@ TEST(ErrorParts, a_difference_that_happens_to_vanish_is_no_small_error) {
   EXPECT_GE(estimate.relative.at("mean_shear_slide"), mesh_safety * 0.0099);
 }
 
-TEST(ErrorParts, meshes_and_steps_count_twice_what_richardson_makes_of_them) {
+TEST(ErrorParts, MeshesAndStepsCountTwiceWhatRichardsonMakesOfThem) {
   const double twice = 2 / (std::pow(2.0, 1.8) - 1); // at the order that verification asserts
   for (const char* part :
        {error_parts::mechanics_mesh, error_parts::transport_grid, error_parts::time_steps}) {
@@ -121,7 +121,7 @@ TEST(ErrorParts, meshes_and_steps_count_twice_what_richardson_makes_of_them) {
   EXPECT_EQ(safety(error_parts::handover, "mean_shear"), 1);
 }
 
-TEST(ErrorParts, what_hangs_on_edges_counts_the_whole_difference_of_two_meshes) {
+TEST(ErrorParts, WhatHangsOnEdgesCountsTheWholeDifferenceOfTwoMeshes) {
   for (const char* name : {"p99_shear_slide", "shear_first_moment_touchdown", "contact_area_slide",
                            "stick_fraction_touchdown"}) {
     EXPECT_EQ(safety(error_parts::mechanics_mesh, name), 1) << name;
@@ -129,7 +129,7 @@ TEST(ErrorParts, what_hangs_on_edges_counts_the_whole_difference_of_two_meshes) 
   }
 }
 
-TEST(ErrorParts, an_upper_percentile_errs_as_the_other_one_and_not_as_the_largest_value) {
+TEST(ErrorParts, AnUpperPercentileErrsAsTheOtherOneAndNotAsTheLargestValue) {
   Signals base = scaled_signals(1, 1), mesh = scaled_signals(1, 1);
   base.resolved.columns.push_back({"p99_shear", "1", {0, 0.02, 0.02}});
   mesh.resolved.columns.push_back(base.resolved.columns.back());
@@ -143,7 +143,7 @@ TEST(ErrorParts, an_upper_percentile_errs_as_the_other_one_and_not_as_the_larges
   EXPECT_NEAR(estimate.relative.at("p99_shear_slide"), 0.25, 1e-12);
 }
 
-TEST(ErrorParts, what_is_no_number_is_not_estimated) {
+TEST(ErrorParts, WhatIsNotANumberIsNotEstimated) {
   const Signals base = scaled_signals(1, 1);
   Signals mesh = scaled_signals(1.01, 1.01);
   mesh.metrics[0].value = nan;
@@ -153,7 +153,7 @@ TEST(ErrorParts, what_is_no_number_is_not_estimated) {
   EXPECT_TRUE(estimate.relative.contains("mean_shear_slide"));
 }
 
-TEST(ErrorParts, few_readings_of_the_onset_are_no_defect) {
+TEST(ErrorParts, FewReadingsOfTheOnsetAreNoDefect) {
   Signals base = scaled_signals(1, 1);
   base.metrics.push_back({"precursor_correlation_common", 0.9, "1"});
   Signals mesh = base;
@@ -162,7 +162,7 @@ TEST(ErrorParts, few_readings_of_the_onset_are_no_defect) {
   EXPECT_EQ(estimate.not_estimated.at("precursor_correlation_common"), too_few_readings);
 }
 
-TEST(ErrorParts, audits_and_what_rounding_makes_have_none) {
+TEST(ErrorParts, AuditsAndWhatRoundingMakesHaveNone) {
   Signals base = scaled_signals(1, 1);
   base.metrics.push_back({"equilibrium_residual", 1e-12, "1"});
   base.metrics.push_back({"peak_sampled_current_top", 1e-16, "A"});
@@ -173,13 +173,13 @@ TEST(ErrorParts, audits_and_what_rounding_makes_have_none) {
   EXPECT_EQ(estimate.not_estimated.at("peak_sampled_current_top"), "rounding alone makes it");
 }
 
-TEST(ErrorParts, the_path_leaves_no_less_than_its_interpolation) {
+TEST(ErrorParts, ThePathLeavesNoLessThanItsInterpolation) {
   const Signals base = scaled_signals(1, 1);
   const auto estimate = combine_errors(base, {{error_parts::path, &base, &base}}, {.path = 1e-4});
   EXPECT_DOUBLE_EQ(estimate.parts.at("normal_force_slide").at("path"), 20e-4);
 }
 
-TEST(ErrorParts, the_mesh_leaves_no_less_than_its_cells) {
+TEST(ErrorParts, TheMeshLeavesNoLessThanItsCells) {
   const Signals base = scaled_signals(1, 1);
   const auto estimate = combine_errors(base, {{error_parts::mechanics_mesh, &base, &base}},
                                        {.cells = {{"normal_force_slide", 3, "N"}}});
@@ -187,7 +187,7 @@ TEST(ErrorParts, the_mesh_leaves_no_less_than_its_cells) {
   EXPECT_EQ(estimate.parts.at("mean_shear_slide").at("mechanics_mesh"), 0);
 }
 
-TEST(ErrorParts, what_is_given_has_the_error_of_its_solver_alone) {
+TEST(ErrorParts, WhatIsGivenHasTheErrorOfItsSolverAlone) {
   const Signals base = scaled_signals(1, 1), mesh = scaled_signals(1.01, 1.02);
   const ImposedErrors imposed{{{"normal_force_slide", 2e-7, "N"}},
                               {{"normal_force", "N", {nan, nan, 2e-7}}}};
@@ -202,7 +202,7 @@ TEST(ErrorParts, what_is_given_has_the_error_of_its_solver_alone) {
   EXPECT_GT(estimate.relative.at("mean_shear_slide"), 0);
 }
 
-TEST(ErrorParts, bands_hold_the_difference_of_the_rows_nearby) {
+TEST(ErrorParts, BandsHoldTheDifferenceOfTheRowsNearby) {
   const Signals base = scaled_signals(1, 1), mesh = scaled_signals(1.01, 1);
   const auto estimate = combine_errors(base, {{error_parts::mechanics_mesh, &base, &mesh}}, {});
   EXPECT_EQ(estimate.signals.column("time").values, base.resolved.column("time").values);

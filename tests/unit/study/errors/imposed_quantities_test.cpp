@@ -42,7 +42,7 @@ std::vector<double> column(const ImposedErrors& errors, const std::string& name)
   return std::ranges::find(errors.signals, name, &readout::Signal::name)->values;
 }
 
-TEST(ImposedQuantities, a_given_force_is_off_by_what_its_solver_leaves) {
+TEST(ImposedQuantities, AGivenForceIsOffByWhatItsSolverLeaves) {
   const ImposedErrors errors = imposed_errors(pressed_case(), pressed_signals());
   const auto force = column(errors, "normal_force");
   EXPECT_DOUBLE_EQ(force[2], 2 * mechanics::contact_tolerance);
@@ -54,7 +54,7 @@ TEST(ImposedQuantities, a_given_force_is_off_by_what_its_solver_leaves) {
   EXPECT_NEAR(errors.metrics[1].value, 1e-5, 1e-12);
 }
 
-TEST(ImposedQuantities, friction_of_a_contact_that_slips_is_given_with_the_force) {
+TEST(ImposedQuantities, FrictionOfAContactThatSlipsIsGivenWithTheForce) {
   Case input = pressed_case();
   input.contact.friction = 0.3;
   Signals signals = pressed_signals();
@@ -78,7 +78,7 @@ TEST(ImposedQuantities, friction_of_a_contact_that_slips_is_given_with_the_force
   EXPECT_FALSE(given());
 }
 
-TEST(ImposedQuantities, on_the_way_to_a_force_and_off_the_skin_no_force_is_given) {
+TEST(ImposedQuantities, OnTheWayToAForceAndOffTheSkinNoForceIsGiven) {
   const ImposedErrors errors = imposed_errors(pressed_case(), pressed_signals());
   for (const std::size_t row : {0u, 1u, 5u, 6u}) {
     EXPECT_TRUE(std::isnan(column(errors, "normal_force")[row])) << row;
@@ -92,7 +92,7 @@ TEST(ImposedQuantities, on_the_way_to_a_force_and_off_the_skin_no_force_is_given
   EXPECT_EQ(none.metrics.size(), 1u);
 }
 
-TEST(ImposedQuantities, a_pull_that_may_end_is_not_given) {
+TEST(ImposedQuantities, APullThatMayEndIsNotGiven) {
   Case input = pressed_case();
   input.motion.waypoints[2].force = -1.0;
   Signals signals = pressed_signals();
@@ -102,7 +102,7 @@ TEST(ImposedQuantities, a_pull_that_may_end_is_not_given) {
   EXPECT_TRUE(std::isnan(force[4]));
 }
 
-TEST(ImposedQuantities, heights_are_given_where_the_motion_goes_by_height) {
+TEST(ImposedQuantities, HeightsAreGivenWhereTheMotionGoesByHeight) {
   Case input = pressed_case();
   const auto force_controlled = column(imposed_errors(input, pressed_signals()), "slider_z");
   EXPECT_EQ(force_controlled[0], 0);
@@ -117,7 +117,7 @@ TEST(ImposedQuantities, heights_are_given_where_the_motion_goes_by_height) {
   EXPECT_TRUE(errors.metrics.empty());
 }
 
-TEST(ImposedQuantities, a_drive_is_led_along_the_path_and_its_slider_is_not) {
+TEST(ImposedQuantities, ADriveIsLedAlongThePathAndItsSliderIsNot) {
   Case input = pressed_case();
   EXPECT_EQ(column(imposed_errors(input, pressed_signals()), "slider_x"),
             std::vector<double>(7, 0.0));
@@ -131,7 +131,7 @@ TEST(ImposedQuantities, a_drive_is_led_along_the_path_and_its_slider_is_not) {
             errors.signals.end());
 }
 
-TEST(ImposedQuantities, a_given_strain_has_none) {
+TEST(ImposedQuantities, AGivenStrainHasNone) {
   Case input = pressed_case();
   input.strain.kind = StrainSourceKind::prescribed;
   EXPECT_TRUE(imposed_errors(input, pressed_signals()).signals.empty());

@@ -180,7 +180,7 @@ std::string hash_with(const SchemaRow& row, const Value& value) {
   return mechanics_hash(draft.input);
 }
 
-TEST(MechanicsHash, knows_the_keys_that_decide_study_one_and_no_others) {
+TEST(MechanicsHash, KnowsTheKeysThatDecideStudyOneAndNoOthers) {
   for (const SchemaRow& row : schema()) {
     const bool decides = decides_study_one.contains(row.key) ||
                          belongs_to(laws::friction_laws(), "contact", row.key);
@@ -203,7 +203,7 @@ TEST(MechanicsHash, knows_the_keys_that_decide_study_one_and_no_others) {
   }
 }
 
-TEST(MechanicsHash, knows_what_stands_in_files) {
+TEST(MechanicsHash, KnowsWhatStandsInFiles) {
   Case input, other;
   other.slider.profile_heights = {{0, 1}, {0, 1}, {0, 0, 0, 1e-6}};
   EXPECT_NE(mechanics_hash(input), mechanics_hash(other));
@@ -212,7 +212,7 @@ TEST(MechanicsHash, knows_what_stands_in_files) {
   EXPECT_NE(mechanics_hash(input), mechanics_hash(other));
 }
 
-TEST(MechanicsHash, knows_every_slider) {
+TEST(MechanicsHash, KnowsEverySlider) {
   Case input;
   const std::string alone = mechanics_hash(input);
   input.further_sliders.emplace_back();

@@ -158,7 +158,7 @@ TEST_F(SweepPlanFile, AForgedPlanIsRefused) {
   }
 }
 
-TEST_F(SweepPlanFile, WhatIsNoPlanIsRefused) {
+TEST_F(SweepPlanFile, WhatIsNotAPlanIsRefused) {
   const std::string whole = plan_text(plan_, batches_, Studies::both),
                     deep = std::string(1'000'000, '[') + std::string(1'000'000, ']');
   for (const std::string& text :

@@ -26,7 +26,7 @@ struct LimitedMemory {
   ~LimitedMemory() { unsetenv(limit); }
 };
 
-TEST(Sweep, does_not_refuse_points_whose_contact_is_solved_when_memory_has_become_scarce) {
+TEST(Sweep, DoesNotRefusePointsWhoseContactIsSolvedWhenMemoryHasBecomeScarce) {
   const SweepPlan plan =
       plan_sweep({.case_path = IONSKIN_CASES "/paper/coarse.toml",
                   .set_edits = {"numerics.mesh_refinement=0.5", "numerics.error_estimate=off",
@@ -45,7 +45,7 @@ TEST(Sweep, does_not_refuse_points_whose_contact_is_solved_when_memory_has_becom
       << "before any work";
 }
 
-TEST(Sweep, is_refused_before_any_work_where_its_files_find_no_room_together) {
+TEST(Sweep, IsRefusedBeforeAnyWorkWhereItsFilesFindNoRoomTogether) {
   const SweepPlan plan = plan_sweep(
       {.case_path = IONSKIN_CASES "/paper/coarse.toml", .over = {"contact.friction=0.1,0.3"}});
   const results::ScratchFolder scratch;
