@@ -323,6 +323,24 @@ class LiveTest(ProgramTest):
         self.assertEqual(refused.returncode, 2)
         self.assertIn("damaged.live", refused.stderr)
 
+    def test_a_generation_that_was_ended_goes_on(self):
+        words = [PROGRAM, "generate", self.trained, "--touches", "20", "--threads", "1"]
+        subprocess.run([*words, "-o", self.folder / "undisturbed"], capture_output=True, check=True)
+        with subprocess.Popen([*words, "-o", self.folder / "ended"], stdout=subprocess.DEVNULL, stderr=subprocess.PIPE,
+                              text=True) as ended:
+            said = ""
+            while "runs ended" not in said:
+                line = ended.stderr.readline()
+                self.assertTrue(line, said)
+                said += line
+            ended.terminate()
+            said += ended.stderr.read()
+        self.assertEqual(ended.returncode, 130, said)
+        self.assertIn("--resume", said)
+        self.assertEqual([path.name for path in self.folder.rglob("*pending*")], [])
+        subprocess.run([*words, "-o", self.folder / "ended", "--resume"], capture_output=True, check=True)
+        self.assertEqual(*((self.folder / name / "touches.h5").read_bytes() for name in ("undisturbed", "ended")))
+
     def test_draws_touches_by_seed_and_number(self):
         skin = ionskin.live.Skin(self.trained)
         first, again, other = skin.random_touch(3, 2), skin.random_touch(3, 2), skin.random_touch(3, 1)

@@ -76,7 +76,7 @@ class Progress:
         workers is printed. `quiet`: prints nothing."""
         self._total, self._quiet, self._runner = total, quiet, runner
         self._done = self._failed = 0
-        self._begin = self._told = time.monotonic()
+        self._begin = self._printed = time.monotonic()
 
     def __call__(self, outcome) -> None:
         self._done += 1
@@ -86,8 +86,8 @@ class Progress:
         if outcome.reason:
             print(f"failed: {outcome.reason}", file=sys.stderr, flush=True)
         now = time.monotonic()
-        if self._done * 10 // self._total != (self._done - 1) * 10 // self._total or now - self._told > EVERY:
-            self._told = now
+        if self._done * 10 // self._total != (self._done - 1) * 10 // self._total or now - self._printed > EVERY:
+            self._printed = now
             left = (now - self._begin) / self._done * (self._total - self._done)
             workers = self._runner.workers
             print(f"{self._done} of {self._total} runs ended, {self._failed} failed; {workers} worker{'s' * (workers != 1)}"
