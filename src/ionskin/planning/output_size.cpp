@@ -11,12 +11,12 @@ namespace ionskin::planning {
 namespace {
 
 // Sizes in bytes, measured on cases/paper.toml, finger.toml and paper/coarse.toml.
-constexpr double field_bytes = 17.5; // fields per unknown and instant, compressed
-constexpr double history_bytes =
-    1.0;                            // strain of run and coarser solutions per unknown and time step
-constexpr double signal_row = 700;  // row of signals.csv and similar tables, errors included
-constexpr double reading_row = 200; // row of sampled.csv
-constexpr double taxel_row = 80;    // addition to either row per taxel
+constexpr double field_bytes = 17.5;   // fields per unknown and instant, compressed
+constexpr double history_bytes = 0.45; // strain of the run per unknown and time step
+constexpr double coarser_bytes = 0.55; // strains of the coarser solutions, likewise
+constexpr double signal_row = 700;     // row of signals.csv and similar tables, errors included
+constexpr double reading_row = 200;    // row of sampled.csv
+constexpr double taxel_row = 80;       // addition to either row per taxel
 
 constexpr double worth_telling = 1e9;
 
@@ -32,9 +32,11 @@ double tables_size(const Case& input, std::size_t ion_steps) {
 
 double output_size(const Case& input, std::size_t ion_unknowns, std::size_t ion_steps) {
   const auto unknowns = static_cast<double>(ion_unknowns), steps = static_cast<double>(ion_steps);
-  const bool solves_contact = input.strain.kind == StrainSourceKind::contact;
+  const double history = input.strain.kind != StrainSourceKind::contact ? 0.0
+                         : input.numerics.error_estimate ? history_bytes + coarser_bytes
+                                                         : history_bytes;
   return field_bytes * unknowns * static_cast<double>(input.output.fields.size()) +
-         (solves_contact ? history_bytes * unknowns * steps : 0.0) + tables_size(input, ion_steps);
+         history * unknowns * steps + tables_size(input, ion_steps);
 }
 
 double expected_output(const Case& input, bool studies_ions) {
