@@ -121,6 +121,7 @@ class FirstMinutes(ProgramTest):
             self.assertNotRegex(told, "(?m)^(warning|note): ", name)
         keys = self.run_program("keys").stdout
         self.assertRegex(keys, r"readout\.circuit .* one of short, open, load, parallel-rc, amplifier  \[\"short\"\]")
+        self.assertRegex(keys, r"numerics\.mesh_refinement .*  at least 0\.1 and at most 10  \[1\]")
         for key in ("readout.taxels.rows", "readout.taxels.gap", "readout.taxels[].name"):
             self.assertIn(key, keys)
         lines = self.run_program("keys", "friction").stdout.splitlines()

@@ -107,9 +107,10 @@ nlohmann::json json_of(const SchemaRow& row) {
 std::string line_of(const SchemaRow& row, std::size_t width) {
   const std::string value = row.default_value.empty() ? need_name(row) : row.default_value;
   const auto choices = choices_of(row);
-  const std::string words =
-      choices.empty() ? "" : fmt::format("  one of {}", fmt::join(choices, ", "));
-  return fmt::format("{:<{}}  {}{}  [{}]\n", row.key, width, row.help, words, value);
+  const std::string allowed =
+      choices.empty() ? range_of(row) : fmt::format("one of {}", fmt::join(choices, ", "));
+  return fmt::format("{:<{}}  {}{}{}  [{}]\n", row.key, width, row.help,
+                     allowed.empty() ? "" : "  ", allowed, value);
 }
 
 std::string keys_json(const std::vector<SchemaRow>& rows) {
