@@ -3,8 +3,7 @@
 
 #include "ionskin/base/value_at.hpp"
 #include "ionskin/study/fit/data_adjustment.hpp"
-
-#include <boost/math/tools/minima.hpp>
+#include "ionskin/study/fit/shift_search.hpp"
 
 #include <Eigen/Dense>
 
@@ -100,26 +99,11 @@ double correlation_at(const FitData& data, const electrochemistry::IonSolution& 
 /// Best shift within one step of a given shift, for the sign of its correlation.
 Alignment refined(const FitData& data, const electrochemistry::IonSolution& ions,
                   const Alignment& about, double step) {
-  constexpr int most_parts = 128, parts_of_row = 64, bits = 26;
   const double sign = about.correlation < 0 ? -1 : 1;
-  const auto likeness = [&](double shift) { return sign * correlation_at(data, ions, shift); };
-  // A charge that jumps within one row correlates best in a small part of the row's interval.
-  const double interval =
-      (data.time.back() - data.time.front()) / static_cast<double>(data.time.size());
-  const int parts =
-      std::clamp(static_cast<int>(std::ceil(parts_of_row * step / interval)), 4, most_parts);
-  double best = about.time_shift, best_likeness = likeness(best);
-  for (int part = -parts; part <= parts; ++part) {
-    const double shift = about.time_shift + step * part / parts;
-    if (const double here = likeness(shift); here > best_likeness) {
-      best = shift;
-      best_likeness = here;
-    }
-  }
-  const double part = step / parts;
-  const auto [place, unlikeness] = boost::math::tools::brent_find_minima(
-      [&](double of_part) { return -likeness(best + of_part * part); }, -1.0, 1.0, bits);
-  return {best + place * part, -sign * unlikeness};
+  const auto unlikeness = [&](double shift) { return -sign * correlation_at(data, ions, shift); };
+  const auto least =
+      least_of_shifts(shifts_to_compare(data, ions, about.time_shift, step), unlikeness);
+  return {least.time_shift, -sign * least.value};
 }
 
 } // namespace

@@ -7,9 +7,11 @@
 #include "ionskin/study/fit/data_checks.hpp"
 #include "ionskin/study/fit/misfit.hpp"
 #include "ionskin/study/fit/misfit_explanation.hpp"
+#include "ionskin/study/fit/shift_search.hpp"
 
 #include <Eigen/QR>
 #include <ceres/iteration_callback.h>
+#include <ceres/manifold.h>
 #include <ceres/problem.h>
 #include <ceres/solver.h>
 #include <fmt/format.h>
@@ -18,6 +20,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace ionskin::study {
 namespace {
@@ -26,6 +29,10 @@ constexpr double gain_tolerance = 1e-7, step_tolerance = 1e-5; // relative
 constexpr int most_iterations = 50;
 constexpr int most_shortened = 12;   // failed trials of one step: too far away, or without solution
 constexpr double search_ends = 5e-5; // distance from the optimum, in coordinates, at which it ends
+
+constexpr double least_shift = 1.0 / 65536; // least width of a profile, in rows
+constexpr double smooth_shift = 0.05; // width, in rows, below which a signal is smooth in the shift
+constexpr int most_shifts = 4;        // searches of the shift, each with a fit of the other keys
 
 /// Reports the progress after each iteration, and ends the fit on an interrupt.
 class Watch : public ceres::IterationCallback {
@@ -191,17 +198,21 @@ double squares_but_for(const Misfit& misfit, const FitData& data, const std::vec
 
 /// Distances below and above the optimum, in the coordinate of a time shift, within which the
 /// residuals grow by no more than noise explains. Linear theory fails where a signal is shorter
-/// than the interval of a row: all shifts in a part of the row then fit equally well.
+/// than the interval of a row: all shifts in a part of the row then fit equally well, or only those
+/// in a small part of it.
+/// @param residual_deviation root mean square of the residuals per degree of freedom [unit of data]
+/// @param quantile of Student's t
 std::array<double, 2> profile(const Misfit& misfit, const FitData& data,
                               const std::vector<double>& optimum, std::size_t shift,
-                              const FitStatistics& statistics) {
-  constexpr double step = 1.0 / 64, farthest = 2; // intervals of a row
-  const double most = squares_but_for(misfit, data, optimum, shift) +
-                      std::pow(statistics.quantile * statistics.residual_deviation, 2);
+                              double residual_deviation, double quantile) {
+  constexpr double first = least_shift, ratio = 1.4, step = 1.0 / 64, farthest = 2; // rows
+  const double most =
+      squares_but_for(misfit, data, optimum, shift) + std::pow(quantile * residual_deviation, 2);
   std::array<double, 2> distances{};
   for (std::size_t side = 0; side < 2; ++side) {
     std::vector<double> at = optimum;
-    for (double distance = step; distance <= farthest; distance += step) {
+    for (double distance = first; distance <= farthest;
+         distance = std::min(distance * ratio, distance + step)) {
       at[shift] = optimum[shift] + (side == 0 ? -distance : distance);
       if (squares_but_for(misfit, data, at, shift) > most) {
         break;
@@ -212,12 +223,49 @@ std::array<double, 2> profile(const Misfit& misfit, const FitData& data,
   return distances;
 }
 
-FitResult summarise(FitModel& model, const FitData& data, const Misfit& misfit,
+/// Index of the time shift among the parameters, if it is free.
+std::optional<std::size_t> shift_of(const FitModel& model) {
+  for (std::size_t i = 0; i < model.parameters().size(); ++i) {
+    if (model.parameters()[i].key == "data.time_shift") {
+      return i;
+    }
+  }
+  return std::nullopt;
+}
+
+/// Moves the time shift of an optimum to the best one within a row, with the other parameters by
+/// linear theory.
+/// @returns true if the residuals fall
+bool improve_shift(FitModel& model, const Misfit& misfit, const FitData& data, std::size_t shift,
+                   std::vector<double>& at) {
+  constexpr double least_gain = 1e-6; // of the sum of squares
+  const std::vector<double> values = misfit.values(at);
+  const FitModel::Ions ions = model.solutions({values}).front();
+  if (!ions) {
+    return false;
+  }
+  const auto squares = [&](double time_shift) {
+    std::vector<double> moved = values;
+    moved[shift] = time_shift;
+    return squares_but_for(misfit, data, misfit.coordinates(moved), shift);
+  };
+  const LeastOfShifts best =
+      least_of_shifts(shifts_to_compare(data, *ions, values[shift], misfit.scale(shift)), squares);
+  if (!(best.value < (1 - least_gain) * squares(values[shift]))) {
+    return false;
+  }
+  std::vector<double> moved = values;
+  moved[shift] = best.time_shift;
+  at = misfit.coordinates(moved);
+  return true;
+}
+
+FitResult summarise(FitModel& model, const FitData& data, Misfit& misfit,
                     const std::vector<double>& start, const std::vector<double>& optimum) {
   FitResult result;
   const std::vector<double> values = misfit.values(optimum);
   result.fitted = *misfit.fitted(optimum);
-  const auto jacobian = misfit.derivatives(optimum);
+  auto jacobian = misfit.derivatives(optimum);
   if (!jacobian) {
     throw SolverError("there is no solution close to the fitted values: " + model.last_failure(),
                       "start from other values of the free keys");
@@ -227,6 +275,15 @@ FitResult summarise(FitModel& model, const FitData& data, const Misfit& misfit,
     residuals.push_back(data.values[row] - result.fitted[row]);
   }
   result.statistics = fit_statistics(data.values, residuals, *jacobian);
+  std::array<double, 2> shifts{}; // distances to the ends of the profile of the time shift
+  if (const auto shift = shift_of(model)) {
+    shifts = profile(misfit, data, optimum, *shift, result.statistics.residual_deviation,
+                     result.statistics.quantile);
+    misfit.take_shift_difference(
+        std::clamp(std::max(shifts[0], shifts[1]), least_shift, smooth_shift));
+    jacobian = misfit.derivatives(optimum);
+    result.statistics = fit_statistics(data.values, residuals, *jacobian);
+  }
   std::vector<std::string> keys;
   for (std::size_t i = 0; i < optimum.size(); ++i) {
     FitParameter parameter = model.parameters()[i];
@@ -239,10 +296,9 @@ FitResult summarise(FitModel& model, const FitData& data, const Misfit& misfit,
         fitted(parameter, values[i], misfit.scale(i),
                result.statistics.quantile * result.statistics.log_error[i] + search_ends));
     if (parameter.key == "data.time_shift") {
-      const auto [below, above] = profile(misfit, data, optimum, i, result.statistics);
       FittedParameter& shift = result.parameters.back();
-      shift.lower_95 = std::min(shift.lower_95, values[i] - below * misfit.scale(i));
-      shift.upper_95 = std::max(shift.upper_95, values[i] + above * misfit.scale(i));
+      shift.lower_95 = std::min(shift.lower_95, values[i] - shifts[0] * misfit.scale(i));
+      shift.upper_95 = std::max(shift.upper_95, values[i] + shifts[1] * misfit.scale(i));
     }
     if (result.parameters.back().at_bound) {
       result.warnings.push_back(
@@ -296,6 +352,24 @@ FitResult fit(FitModel& model, FitData& data, const base::ProgressCallback& prog
   ceres::Solve(solver_options(watch), &problem, &summary);
   misfit.rethrow();
   base::check_interrupt();
+  // Derivatives do not lead to the best shift of a signal with spikes: it is searched directly, and
+  // the other keys are fitted again about it.
+  const auto shift = shift_of(model);
+  for (int i = 0; i < most_shifts && shift && summary.IsSolutionUsable() &&
+                  improve_shift(model, misfit, data, *shift, at);
+       ++i) {
+    misfit.accept(at);
+    if (model.parameters().size() == 1) {
+      continue;
+    }
+    if (i == 0) {
+      problem.SetManifold(at.data(), new ceres::SubsetManifold(static_cast<int>(at.size()),
+                                                               {static_cast<int>(*shift)}));
+    }
+    ceres::Solve(solver_options(watch), &problem, &summary);
+    misfit.rethrow();
+    base::check_interrupt();
+  }
   if (!summary.IsSolutionUsable()) {
     throw SolverError(
         "the least-squares solver cannot improve on the starting values: " + summary.message +

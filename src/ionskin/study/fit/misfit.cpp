@@ -10,9 +10,6 @@ namespace {
 // Step of the differences in the logarithm of a parameter. Time steps change with the parameters,
 // and the step must be large enough that this does not show.
 constexpr double difference = 0.05;
-// Step of the differences in a time shift, relative to the interval between rows: no solution
-// changes with it.
-constexpr double shift_difference = 0.05;
 // Longest step of the search, in coordinates. Derivatives do not predict a change of a key of the
 // case by more than a factor of ten, or of the clock by more than an interval between rows.
 constexpr double longest_log_step = 2.303, longest_shift_step = 1;
@@ -67,7 +64,7 @@ std::optional<std::vector<double>> Misfit::fitted(const std::vector<double>& coo
 std::vector<double> Misfit::by_data(const std::vector<double>& coordinates,
                                     std::size_t parameter) const {
   const bool shift = model_.parameters()[parameter].key == "data.time_shift";
-  const double step = shift ? shift_difference : 1.0;
+  const double step = shift ? shift_difference_ : 1.0;
   std::vector<double> up = coordinates, down = coordinates;
   up[parameter] += step;
   down[parameter] -= step;

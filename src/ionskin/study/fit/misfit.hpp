@@ -42,6 +42,11 @@ public:
   /// Derivatives of `fitted` by the coordinates; empty where there is no solution.
   std::optional<Jacobian> derivatives(const std::vector<double>& coordinates) const;
 
+  /// Sets the change of a time shift by which `derivatives` take differences, over its scale [1]. A
+  /// signal with spikes is no smooth function of the shift: the difference has to be as wide as the
+  /// range of shifts that is of interest.
+  void take_shift_difference(double width) { shift_difference_ = width; }
+
   /// Sets the point from which the search takes its steps. `Evaluate` refuses points far away from
   /// it without solving them, so that the solver shortens its step.
   void accept(const std::vector<double>& coordinates) { accepted_ = coordinates; }
@@ -57,8 +62,9 @@ private:
   FitModel& model_;
   const FitData& data_;
   std::vector<double> start_, scales_, accepted_;
-  double size_ = 1;     ///< root mean square of the data [unit of the data]
-  double interval_ = 1; ///< mean interval between rows [s]
+  double size_ = 1;                ///< root mean square of the data [unit of the data]
+  double interval_ = 1;            ///< mean interval between rows [s]
+  double shift_difference_ = 0.05; ///< no solution changes with it [1]
   mutable std::exception_ptr failure_;
 };
 
