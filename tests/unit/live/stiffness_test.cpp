@@ -103,6 +103,34 @@ TEST(LiveStiffness, IsTheDifferenceOfStepsUnderEveryFriction) {
   }
 }
 
+// At rest each cell stands at its friction limit. It sticks if the slider turns back.
+TEST(LiveStiffness, AtRestAfterASlideIsThatOfTheWayBack) {
+  for (const char* law : {"coulomb", "anisotropic"}) {
+    SCOPED_TRACE(law);
+    const SkinData data = sphere_under(law);
+    const std::array<double, 2> end{3e-3 + 2e-4, 1e-3};
+    for (const int rests : {1, 2, 7}) {
+      Skin skin(data);
+      wrench_of(skin, {0, landing_place, pressed_depth});
+      wrench_of(skin, {1e-2, end, pressed_depth});
+      double time = 1e-2;
+      for (int rest = 1; rest < rests; ++rest) {
+        wrench_of(skin, {time += 1e-3, end, pressed_depth});
+      }
+      const std::vector<double> state(skin.state().begin(), skin.state().end());
+      const Wrench here = wrench_of(skin, {time += 1e-3, end, pressed_depth});
+      std::array<double, 36> stiffness{};
+      ASSERT_TRUE(skin.stiffness(stiffness));
+      const double way = 1e-9;
+      ASSERT_TRUE(skin.restore(state));
+      const Wrench back = wrench_of(skin, {time, {end[0] - way, end[1]}, pressed_depth});
+      EXPECT_GT(stiffness[0], 0);
+      EXPECT_NEAR((here[0] - back[0]) / way, stiffness[0], 0.02 * stiffness[0]) << rests;
+      EXPECT_NEAR((here[2] - back[2]) / way, stiffness[12], 0.02 * stiffness[0]) << rests;
+    }
+  }
+}
+
 TEST(LiveStiffness, IsNoneInTheAirAndUnknownWithoutAStep) {
   const SkinData data = sphere_under("coulomb");
   Skin skin(data);

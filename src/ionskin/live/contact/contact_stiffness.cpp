@@ -11,6 +11,9 @@ constexpr int most_corrections = 100; ///< largest number of iterations
 /// Residuals, as `leave_residual` returns them, at which the iterations stop, and up to which the
 /// result is valid [1].
 constexpr double solved = 1e-9, nearly_solved = 1e-6;
+/// Slip of a cell, as the force that its compliance makes of it and over the largest normal force
+/// of a cell, up to which the cell rests [1]: some times what a step leaves as residual.
+constexpr double at_rest = 1e-5;
 
 /// Displacement of a point of the underside by a unit of a rigid motion: downward, along x, along y
 /// [m/m] for translations, [m/rad] for rotations.
@@ -40,6 +43,20 @@ std::array<double, 2> times(const std::array<std::array<double, 2>, 2>& matrix, 
 
 } // namespace
 
+/// Friction of a cell for the derivatives. At rest after a slide the traction of a cell equals its
+/// limit, and rounding alone would decide whether the cell slips: it sticks.
+laws::FrictionResponse LiveContact::friction_about(std::size_t cell, double normal,
+                                                   const State& state) const noexcept {
+  const laws::FrictionResponse response = friction_at(cell, normal, state);
+  const double own = std::max(own_[3 * cell + 1], own_[3 * cell + 2]);
+  const auto [x, y] = slip(cell, state);
+  if (response.sticks || friction_.elastic_slip > 0 ||
+      std::hypot(x, y) > at_rest * own * largest_) {
+    return response;
+  }
+  return {true, response.traction, {{{1, 0}, {0, 1}}}, {}};
+}
+
 /// Fills `surface_by_motion_` with the residuals of the linearised contact equations for the forces
 /// of `force_by_motion_`: normal displacements, positive downward [m], and tangential forces [N],
 /// by a unit of each motion.
@@ -62,7 +79,7 @@ double LiveContact::leave_residual(std::span<const std::size_t> touching,
   std::array<double, motions> missed{}, largest{};
   for (const std::size_t cell : touching) {
     const std::size_t at = 3 * cell;
-    const laws::FrictionResponse response = friction_at(cell, state.force[at], state);
+    const laws::FrictionResponse response = friction_about(cell, state.force[at], state);
     const double own = std::max(own_[at + 1], own_[at + 2]);
     for (std::size_t motion = 0; motion < motions; ++motion) {
       const std::array<double, 3> way = moved(motion, middle_[cell]);
@@ -98,11 +115,12 @@ bool LiveContact::stiffness(const State& state, std::span<double, 36> matrix) no
   }
   State begun = state;
   begun.memory = memory_before_;
+  add_up(state);
   const std::span<const std::size_t> touching = find_touching(state);
   tangential_.clear();
   for (const std::size_t cell : touching) {
     const std::size_t at = 3 * cell;
-    const laws::FrictionResponse response = friction_at(cell, state.force[at], begun);
+    const laws::FrictionResponse response = friction_about(cell, state.force[at], begun);
     drag_[cell] = response.by_normal;
     tangential_.add(cell, std::max(own_[at + 1], own_[at + 2]), response.by_trial, {});
   }

@@ -127,6 +127,8 @@ private:
   double search(const Load& load, State& state) noexcept;
 
   // Part of the derivatives, defined in contact_stiffness.cpp.
+  laws::FrictionResponse friction_about(std::size_t cell, double normal,
+                                        const State& state) const noexcept;
   double leave_residual(std::span<const std::size_t> touching, const State& state) noexcept;
 
   const SkinData& data_;

@@ -32,7 +32,7 @@ constexpr double search_ends = 5e-5; // distance from the optimum, in coordinate
 
 constexpr double least_shift = 1.0 / 65536; // least width of a profile, in rows
 constexpr double smooth_shift = 0.05; // width, in rows, below which a signal is smooth in the shift
-constexpr int most_shifts = 4;        // searches of the shift, each with a fit of the other keys
+constexpr int most_shifts = 8; // searches of the shift, each between two fits of the other keys
 
 /// Reports the progress after each iteration, and ends the fit on an interrupt.
 class Watch : public ceres::IterationCallback {
@@ -256,7 +256,7 @@ bool improve_shift(FitModel& model, const Misfit& misfit, const FitData& data, s
   }
   std::vector<double> moved = values;
   moved[shift] = best.time_shift;
-  at = misfit.coordinates(moved);
+  std::ranges::copy(misfit.coordinates(moved), at.begin()); // the solver keeps its address
   return true;
 }
 
@@ -348,33 +348,35 @@ FitResult fit(FitModel& model, FitData& data, const base::ProgressCallback& prog
   ceres::Problem problem(borrowed);
   problem.AddResidualBlock(&misfit, nullptr, at.data());
   set_bounds(problem, at.data(), model);
-  ceres::Solver::Summary summary;
-  ceres::Solve(solver_options(watch), &problem, &summary);
-  misfit.rethrow();
-  base::check_interrupt();
-  // Derivatives do not lead to the best shift of a signal with spikes: it is searched directly, and
-  // the other keys are fitted again about it.
+  // Derivatives do not lead to the best shift of a signal with spikes. It is searched directly,
+  // with the other keys by linear theory, between two fits of the other keys.
   const auto shift = shift_of(model);
-  for (int i = 0; i < most_shifts && shift && summary.IsSolutionUsable() &&
-                  improve_shift(model, misfit, data, *shift, at);
-       ++i) {
-    misfit.accept(at);
-    if (model.parameters().size() == 1) {
-      continue;
-    }
-    if (i == 0) {
-      problem.SetManifold(at.data(), new ceres::SubsetManifold(static_cast<int>(at.size()),
-                                                               {static_cast<int>(*shift)}));
-    }
-    ceres::Solve(solver_options(watch), &problem, &summary);
-    misfit.rethrow();
-    base::check_interrupt();
+  const bool others = model.parameters().size() > (shift ? 1U : 0U);
+  if (shift && others) {
+    problem.SetManifold(at.data(), new ceres::SubsetManifold(static_cast<int>(at.size()),
+                                                             {static_cast<int>(*shift)}));
   }
-  if (!summary.IsSolutionUsable()) {
-    throw SolverError(
-        "the least-squares solver cannot improve on the starting values: " + summary.message +
-            (model.last_failure().empty() ? "" : "; " + model.last_failure()),
-        "start from other values of the free keys");
+  bool converged = true;
+  int iterations = 0;
+  for (int searches = 0;; ++searches) {
+    if (others) {
+      ceres::Solver::Summary summary;
+      ceres::Solve(solver_options(watch), &problem, &summary);
+      misfit.rethrow();
+      base::check_interrupt();
+      if (!summary.IsSolutionUsable()) {
+        throw SolverError(
+            "the least-squares solver cannot improve on the starting values: " + summary.message +
+                (model.last_failure().empty() ? "" : "; " + model.last_failure()),
+            "start from other values of the free keys");
+      }
+      converged = summary.termination_type == ceres::CONVERGENCE;
+      iterations += static_cast<int>(summary.iterations.size()) - 1;
+    }
+    if (!shift || searches == most_shifts || !improve_shift(model, misfit, data, *shift, at)) {
+      break;
+    }
+    misfit.accept(at);
   }
   FitResult result = summarise(model, data, misfit, start, at);
   progress("least squares", 1.0);
@@ -383,8 +385,8 @@ FitResult fit(FitModel& model, FitData& data, const base::ProgressCallback& prog
       explain_misfit(model, data, *start_ions, *model.solutions({optimum}).front(), optimum);
   result.warnings.insert(result.warnings.begin(), reasons.begin(), reasons.end());
   result.warnings.insert(result.warnings.begin(), warnings.begin(), warnings.end());
-  result.converged = summary.termination_type == ceres::CONVERGENCE;
-  result.iterations = static_cast<int>(summary.iterations.size()) - 1;
+  result.converged = converged;
+  result.iterations = iterations;
   if (!result.converged) {
     result.warnings.push_back(fmt::format("The least squares have not converged after {} "
                                           "iterations: start again from fitted.toml.",
