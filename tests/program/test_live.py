@@ -355,8 +355,9 @@ class LiveTest(ProgramTest):
             skin.random_touch(interval=0)
         ionskin.live.touch_path(first).write(self.folder / "touch.csv")
         rows = numpy.genfromtxt(self.folder / "touch.csv", delimiter=",", skip_header=1)
-        numpy.testing.assert_allclose(rows[:, 0], first["times"] - 1e-3, atol=1e-9)
-        numpy.testing.assert_allclose(rows[:, 3], 1e3 * first["heights"], atol=1e-6)
+        numpy.testing.assert_allclose(rows[:, 0], [0, *first["times"]], atol=1e-9)
+        numpy.testing.assert_allclose(rows[1:, 3], 1e3 * first["heights"], atol=1e-6)
+        self.assertEqual(rows[0, 1:4].tolist(), rows[1, 1:4].tolist())
         self.assertTrue(numpy.isnan(rows[:, 4]).all())
         longer = ionskin.live.touch_path(first, skin)
         self.assertEqual(longer.height[-4:].round(9).tolist(), [1e-4, *[round(-skin.range.indentation, 9)] * 2, 1e-4])
@@ -365,9 +366,15 @@ class LiveTest(ProgramTest):
         self.assertLessEqual(speed, skin.range.speed * (1 + 1e-9))
         pressed = {"times": [0.001, 0.002, 0.003], "positions": numpy.ones((3, 2)), "forces": [0, 0.5, 0], "angles": [[0, 0, 0.1]] * 3}
         ionskin.live.touch_path(pressed).write(self.folder / "pressed.csv")
-        self.assertEqual((self.folder / "pressed.csv").read_text().splitlines()[1:3],
+        self.assertEqual((self.folder / "pressed.csv").read_text().splitlines()[1:4],
                          ["0.000000000,1000.000000,1000.000000,0.100000,,0.000000,0.000000,5.729578",
-                          "0.001000000,1000.000000,1000.000000,,0.5,0.000000,0.000000,5.729578"])
+                          "0.001000000,1000.000000,1000.000000,0.100000,,0.000000,0.000000,5.729578",
+                          "0.002000000,1000.000000,1000.000000,,0.5,0.000000,0.000000,5.729578"])
+        begins_pressed = ionskin.live.touch_path({"times": [0.5, 1], "positions": numpy.ones((2, 2)), "forces": [1, 1]})
+        self.assertEqual(begins_pressed.time.tolist(), [0, 0.5, 1])
+        self.assertEqual(begins_pressed.height[0], 1e-4)
+        with self.assertRaisesRegex(ValueError, "times: -1 s is the first"):
+            ionskin.live.touch_path({"times": [-1, 1], "positions": numpy.ones((2, 2)), "forces": [0, 0]})
 
     def test_knows_where_its_taxels_are(self):
         skin = ionskin.live.Skin(self.trained)
