@@ -548,6 +548,30 @@ class LiveTest(ProgramTest):
                             (ionskin.CaseError, lambda: ionskin.live.Skin(ROOT / "README.md")),
                             (KeyError, lambda: skin.step(2, (5e-3, 1e-3), height=0)["nothing"])):
             self.assertRaises(error, call)
+        place, taken = (5e-3, 1e-3), {"times": [2], "positions": [(5e-3, 1e-3)], "forces": [1]}
+        for error, message, call in (
+                (ValueError, "times: numbers are wanted, not dates: 2026-01-01.*\n  = give seconds",
+                 lambda: skin.run(**{**taken, "times": numpy.array(["2026-01-01"], dtype="M8[s]")})),
+                (ValueError, "forces: 1 of 1 values are masked\n  = leave out", lambda: skin.run(
+                    **{**taken, "forces": numpy.ma.array([1.0], mask=[True])})),
+                (ValueError, "forces: numbers are wanted, not text: 1", lambda: skin.run(**{**taken, "forces": ["1"]})),
+                (ValueError, "^time: numbers are wanted, not None", lambda: skin.step(None, place, force=1)),
+                (ValueError, "^force: numbers are wanted, not complex ones", lambda: skin.step(2, place, force=1j)),
+                (ValueError, "friction: numbers are wanted, not None", lambda: setattr(skin, "friction", None)),
+                (ValueError, "state: the bytes that save returned are wanted, not None", lambda: skin.restore(None)),
+                (ValueError, "^number: a whole number from 0 is wanted, not -3", lambda: skin.random_touch(1, -3)),
+                (ValueError, "^seed: a whole number from 0 is wanted, not -1", lambda: skin.random_touch(-1)),
+                (TypeError, "a pose or position, height and angles",
+                 lambda: skin.step(2, pose=(*place, 0, 0, 0, 0), angles=(0, 0, 0.1))),
+                (ValueError, "threads: a whole number from 1 is wanted, not 0", lambda: skin.batch([taken], threads=0)),
+                (TypeError, r"trajectories\[1\]: positions is missing", lambda: skin.batch([taken, {"times": [2]}])),
+                (TypeError, r"trajectories\[0\]: run takes no force\n  = it takes times",
+                 lambda: skin.batch([{**taken, "force": 1}])),
+                (ValueError, r"trajectories\[1\]: forces: the shape", lambda: skin.batch([taken, {**taken, "forces": [1, 2]}])),
+                (FileNotFoundError, r"'/nope/p\.html'", lambda: skin.play("/nope/p.html", **taken))):
+            with self.subTest(message), self.assertRaisesRegex(error, message):
+                call()
+        skin.run(**{**taken, "forces": numpy.ma.array([1.0])})  # nothing is masked
 
     def test_example_of_slip_has_the_interface_of_gymnasium(self):
         environment = slip.SlipEnv(self.trained, noise=0)
