@@ -760,6 +760,7 @@ class LiveTest(ProgramTest):
                                 ((quick, "-o", "a.live", "--friction", "0.4"), "--friction"),
                                 ((ROOT / "cases" / "bending.toml", "-o", "a.live"), "strain.source"),
                                 ((quick, "--trajectories", "0", "-o", "a.live"), "--trajectories"),
+                                ((quick, "--seed", "-1", "-o", "a.live"), "--seed"),
                                 ((quick, "--validation", "0", "-o", "a.live"), "--validation")):
             with self.subTest(part):
                 ended = self.live(*arguments)
