@@ -31,7 +31,10 @@ def writing(path):
                             "  = remove the link")
         path.parent.mkdir(exist_ok=True)
     _note(folder, f"figures/{path.name}" if inside else path.name, path)
-    handle, pending = tempfile.mkstemp(prefix=f"{path.name}.", suffix=PENDING, dir=path.parent)
+    try:
+        handle, pending = tempfile.mkstemp(prefix=f"{path.name}.", suffix=PENDING, dir=path.parent)
+    except OSError as error:  # names the file of the user, not the pending one
+        raise OSError(error.errno, error.strerror, str(path)) from None
     try:
         os.close(handle)
         umask = os.umask(0)

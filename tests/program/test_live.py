@@ -355,8 +355,9 @@ class LiveTest(ProgramTest):
             skin.random_touch(interval=0)
         ionskin.live.touch_path(first).write(self.folder / "touch.csv")
         rows = numpy.genfromtxt(self.folder / "touch.csv", delimiter=",", skip_header=1)
-        numpy.testing.assert_allclose(rows[:, 0], first["times"] - 1e-3, atol=1e-9)
-        numpy.testing.assert_allclose(rows[:, 3], 1e3 * first["heights"], atol=1e-6)
+        numpy.testing.assert_allclose(rows[:, 0], [0, *first["times"]], atol=1e-9)
+        numpy.testing.assert_allclose(rows[1:, 3], 1e3 * first["heights"], atol=1e-6)
+        self.assertEqual(rows[0, 1:4].tolist(), rows[1, 1:4].tolist())
         self.assertTrue(numpy.isnan(rows[:, 4]).all())
         longer = ionskin.live.touch_path(first, skin)
         self.assertEqual(longer.height[-4:].round(9).tolist(), [1e-4, *[round(-skin.range.indentation, 9)] * 2, 1e-4])
@@ -365,9 +366,15 @@ class LiveTest(ProgramTest):
         self.assertLessEqual(speed, skin.range.speed * (1 + 1e-9))
         pressed = {"times": [0.001, 0.002, 0.003], "positions": numpy.ones((3, 2)), "forces": [0, 0.5, 0], "angles": [[0, 0, 0.1]] * 3}
         ionskin.live.touch_path(pressed).write(self.folder / "pressed.csv")
-        self.assertEqual((self.folder / "pressed.csv").read_text().splitlines()[1:3],
+        self.assertEqual((self.folder / "pressed.csv").read_text().splitlines()[1:4],
                          ["0.000000000,1000.000000,1000.000000,0.100000,,0.000000,0.000000,5.729578",
-                          "0.001000000,1000.000000,1000.000000,,0.5,0.000000,0.000000,5.729578"])
+                          "0.001000000,1000.000000,1000.000000,0.100000,,0.000000,0.000000,5.729578",
+                          "0.002000000,1000.000000,1000.000000,,0.5,0.000000,0.000000,5.729578"])
+        begins_pressed = ionskin.live.touch_path({"times": [0.5, 1], "positions": numpy.ones((2, 2)), "forces": [1, 1]})
+        self.assertEqual(begins_pressed.time.tolist(), [0, 0.5, 1])
+        self.assertEqual(begins_pressed.height[0], 1e-4)
+        with self.assertRaisesRegex(ValueError, "times: -1 s is the first"):
+            ionskin.live.touch_path({"times": [-1, 1], "positions": numpy.ones((2, 2)), "forces": [0, 0]})
 
     def test_knows_where_its_taxels_are(self):
         skin = ionskin.live.Skin(self.trained)
@@ -541,6 +548,30 @@ class LiveTest(ProgramTest):
                             (ionskin.CaseError, lambda: ionskin.live.Skin(ROOT / "README.md")),
                             (KeyError, lambda: skin.step(2, (5e-3, 1e-3), height=0)["nothing"])):
             self.assertRaises(error, call)
+        place, taken = (5e-3, 1e-3), {"times": [2], "positions": [(5e-3, 1e-3)], "forces": [1]}
+        for error, message, call in (
+                (ValueError, "times: numbers are wanted, not dates: 2026-01-01.*\n  = give seconds",
+                 lambda: skin.run(**{**taken, "times": numpy.array(["2026-01-01"], dtype="M8[s]")})),
+                (ValueError, "forces: 1 of 1 values are masked\n  = leave out", lambda: skin.run(
+                    **{**taken, "forces": numpy.ma.array([1.0], mask=[True])})),
+                (ValueError, "forces: numbers are wanted, not text: 1", lambda: skin.run(**{**taken, "forces": ["1"]})),
+                (ValueError, "^time: numbers are wanted, not None", lambda: skin.step(None, place, force=1)),
+                (ValueError, "^force: numbers are wanted, not complex ones", lambda: skin.step(2, place, force=1j)),
+                (ValueError, "friction: numbers are wanted, not None", lambda: setattr(skin, "friction", None)),
+                (ValueError, "state: the bytes that save returned are wanted, not None", lambda: skin.restore(None)),
+                (ValueError, "^number: a whole number from 0 is wanted, not -3", lambda: skin.random_touch(1, -3)),
+                (ValueError, "^seed: a whole number from 0 is wanted, not -1", lambda: skin.random_touch(-1)),
+                (TypeError, "a pose or position, height and angles",
+                 lambda: skin.step(2, pose=(*place, 0, 0, 0, 0), angles=(0, 0, 0.1))),
+                (ValueError, "threads: a whole number from 1 is wanted, not 0", lambda: skin.batch([taken], threads=0)),
+                (TypeError, r"trajectories\[1\]: positions is missing", lambda: skin.batch([taken, {"times": [2]}])),
+                (TypeError, r"trajectories\[0\]: run takes no force\n  = it takes times",
+                 lambda: skin.batch([{**taken, "force": 1}])),
+                (ValueError, r"trajectories\[1\]: forces: the shape", lambda: skin.batch([taken, {**taken, "forces": [1, 2]}])),
+                (FileNotFoundError, r"'/nope/p\.html'", lambda: skin.play("/nope/p.html", **taken))):
+            with self.subTest(message), self.assertRaisesRegex(error, message):
+                call()
+        skin.run(**{**taken, "forces": numpy.ma.array([1.0])})  # nothing is masked
 
     def test_example_of_slip_has_the_interface_of_gymnasium(self):
         environment = slip.SlipEnv(self.trained, noise=0)
@@ -729,6 +760,7 @@ class LiveTest(ProgramTest):
                                 ((quick, "-o", "a.live", "--friction", "0.4"), "--friction"),
                                 ((ROOT / "cases" / "bending.toml", "-o", "a.live"), "strain.source"),
                                 ((quick, "--trajectories", "0", "-o", "a.live"), "--trajectories"),
+                                ((quick, "--seed", "-1", "-o", "a.live"), "--seed"),
                                 ((quick, "--validation", "0", "-o", "a.live"), "--validation")):
             with self.subTest(part):
                 ended = self.live(*arguments)

@@ -177,7 +177,14 @@ class LiveBatchTest(ProgramTest):
                 ("the skin has no pressure", lambda: Skins(self.trained, 2, signals=["pressure"])),
                 ("outside the trained range, 0.1 to 0.4", lambda: skins.set_friction(0.5)),
                 ("noise: -1", lambda: skins.set_noise(-1)),
-                ("seed: an integer", lambda: skins.set_noise(1, seed=-1)),
+                ("threads: a whole number from 1 to 1024 is wanted, not 10000", lambda: Skins(self.trained, 2, threads=10000)),
+                (r"signals: a list of names .*\n  = give signals=\['charge_top'\]",
+                 lambda: Skins(self.trained, 2, signals="charge_top")),
+                (r"friction: the shape is \(3,\), and must be \(2,\), or one number for all",
+                 lambda: Skins(self.trained, 2, friction=[0.2, 0.3, 0.2])),
+                ("positions: numbers are wanted, not complex ones", lambda: skins.step(0, positions + 0j, forces=forces)),
+                ("states: numbers are wanted, not None", lambda: skins.restore(None)),
+                ("seed: a whole number from 0 to 4294967295", lambda: skins.set_noise(1, seed=-1)),
                 (r"positions: the shape is \(12, 2\)", lambda: skins.step(0, positions[1:], forces=forces)),
                 (r"forces: the shape is \(13, 1\)", lambda: skins.step(0, positions, forces=forces[:, None])),
                 ("numbers are wanted", lambda: skins.step(0, "here", forces=forces)),
@@ -190,6 +197,7 @@ class LiveBatchTest(ProgramTest):
                 act()
         with self.assertRaisesRegex(TypeError, "either heights or forces"):
             skins.step(0, positions)
+        self.assertEqual(Skins(self.trained, 2, threads=1000).__getstate__()["threads"], 2)  # no more than there are skins
 
     def test_another_file_under_the_same_name_is_refused(self):
         path = self.folder / "skin.live"

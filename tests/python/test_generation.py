@@ -11,7 +11,7 @@ import numpy
 import ionskin
 from ionskin.evaluation import Outcome
 from ionskin.generation import Touches
-from ionskin.generation.__main__ import announcement
+from ionskin.generation.__main__ import announcement, of_rows
 from ionskin.generation.rows import KINDS, RowChoice, kinds
 from ionskin.generation.store import COLUMNS, SIGNALS, tables, taxel_signals, unit_of
 from package import CASES, PROGRAM, PackageTest, small_case
@@ -120,6 +120,16 @@ class Generation(PackageTest):
         self.assertFalse(numpy.array_equal(rows, chosen(300, seed=2)))
         rarest = sum(int((kind == 2).sum()) for kind in touches)
         self.assertEqual(len(chosen(100000)), 3 * rarest)
+
+    def test_a_kind_without_rows_is_told(self):
+        choice = RowChoice(300, 1)
+        choice.add(0, numpy.array([KINDS.index("full slip")] * 5 + [KINDS.index("partial slip")], dtype=numpy.uint8))
+        self.assertEqual(len(choice.chosen()), 0)
+        told = of_rows(choice, 300)[-1]
+        self.assertTrue(told.startswith("warning: balanced: no rows are chosen, because none is of the kind stick, and"), told)
+        self.assertEqual(len(of_rows(choice, 0)), 1)
+        choice.add(1, numpy.array([KINDS.index("stick")], dtype=numpy.uint8))
+        self.assertIn("balanced: 1 rows each of stick, partial slip, full slip; there are no more of", of_rows(choice, 300)[-1])
 
     def test_equal_stores(self):
         subprocess.run([sys.executable, CASES / "make_strain.py", self.folder / "strain.h5"], check=True)

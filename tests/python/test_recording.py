@@ -88,6 +88,60 @@ class Touch(PackageTest):
                 self.assertEqual(len(contact.parts(numpy.isfinite(path.force))), touches)
                 self.assertEqual(any("one row alone" in note for note in path.notes), rows == [260])
 
+    def test_each_row_that_stands_alone_is_told(self):
+        """A row may lift the finger in the middle of a touch, by a force that is no larger than that of the touch."""
+        for change, part in (({150: -0.4}, "one row alone has -0.4 N, 1.2 s after the first row"),
+                             ({150: 0}, "one row alone has 0 N, 1.2 s after the first row"),
+                             ({20: 50, 150: -40}, "2 rows, each alone, have 50 N at 0.16 s, -40 N at 1.2 s after the first")):
+            force = self.force.copy()
+            force[list(change)] = list(change.values())
+            notes = ionskin.motion(self.touch(force=force)).notes
+            with self.subTest(part):
+                self.assertEqual([note for note in notes if "alone ha" in note or "each alone" in note],
+                                 [note for note in notes if part in note])
+                self.assertTrue(any(part in note for note in notes), notes)
+        self.assertFalse(any("alone" in note for note in ionskin.motion(self.touch()).notes))
+
+    def test_a_force_at_the_limit_of_its_sensor_is_told(self):
+        """The flat top says nothing about the noise."""
+        cut = numpy.minimum(self.force, 0.3)
+        for sign in (1, -1):
+            for tare in (False, True):
+                path = ionskin.motion(self.touch(force=sign * cut), tare=tare)
+                self.assert_one_touch(path)
+                told = [note for note in path.notes if "the force stays at its largest value, 0.3 N, in 16" in note]
+                self.assertEqual(len(told), 1, path.notes)
+        exact = numpy.interp(self.time, (0.5, 0.6, 1.8, 1.9), (0, 0.5, 0.5, 0))
+        for force in (self.force, exact):
+            self.assertFalse(any("its largest value" in note for note in ionskin.motion(self.touch(force=force)).notes))
+
+    def test_a_touch_that_does_not_end_is_told(self):
+        told = "the last touch does not end: the last row has 0.1"
+        notes = ionskin.motion(self.touch(force=self.force + 0.05 * self.time)).notes
+        self.assertTrue(any(told in note for note in notes), notes)
+        self.assertFalse(any("does not end" in note for note in ionskin.motion(self.touch()).notes))
+
+    def test_a_level_or_a_frame_that_is_none(self):
+        for arguments, word in (({"level": "x"}, "--level = 'x' is none of auto, height, force\n  = choose"),
+                                ({"force_in": "x"}, "--force-in = 'x' is none of skin, recording, tool\n  = choose")):
+            with self.assertRaisesRegex(ionskin.CaseError, word):
+                ionskin.motion(self.touch(), **arguments)
+
+    def test_two_columns_of_one_name(self):
+        """They are refused unless they are the same."""
+        recording = self.touch()
+        for other, refused in ((self.x + 1, True), (self.x, False)):
+            lines = recording.read_text().splitlines()
+            doubled = [f"{line},{value}" for line, value in zip(lines, ["x_mm", *other.tolist()])]
+            (self.folder / "doubled.csv").write_text("\n".join(doubled) + "\n")
+            for columns in ((), ("x=x_mm [mm]",)):
+                with self.subTest(refused=refused, columns=columns):
+                    if refused:
+                        with self.assertRaisesRegex(ionskin.CaseError, "2 columns .* named x_mm, and differ: .*\n  = rename"):
+                            ionskin.motion(self.folder / "doubled.csv", columns=columns)
+                    else:
+                        self.assert_one_touch(ionskin.motion(self.folder / "doubled.csv", columns=columns))
+
     def test_touches_within_the_noise_are_told(self):
         """A recording that was resampled before tells no noise."""
         clock = numpy.arange(2600) / 1000

@@ -150,8 +150,9 @@ void add_live(CLI::App& app, Command& command) {
                        "Which slider of a list [[slider]] to train, counted from 1 as the ends of "
                        "signals are")
           ->type_name("NUMBER");
-  CLI::Option* seed =
-      verb->add_option("--seed", options->seed, "Seed of the touches")->capture_default_str();
+  CLI::Option* seed = verb->add_option("--seed", options->seed, "Seed of the touches")
+                          ->check(CLI::Range(0, 2147483647))
+                          ->capture_default_str();
   CLI::Option* replace =
       verb->add_flag("--overwrite", options->overwrite, "Replace existing files");
   verb->add_flag("--resume", options->resume, "Finish an interrupted training")->excludes(replace);

@@ -24,6 +24,7 @@ void add_design_options(CLI::App& verb, SweepOptions& options) {
       ->needs(samples)
       ->capture_default_str();
   verb.add_option("--seed", options.seed, "Seed of the design")
+      ->check(CLI::Range(0, 2147483647))
       ->needs(samples)
       ->capture_default_str();
 }

@@ -87,9 +87,14 @@ def of_rows(choice, asked: int) -> list[str]:
     """
     total = max(1, sum(choice.counts.values()))
     lines = ["rows: " + ", ".join(f"{100 * count / total:.2g} % {kind}" for kind, count in choice.counts.items())]
-    if asked:
+    none = [kind for kind in MOVING if not choice.counts[kind]]
+    if asked and none:
+        lines.append(f"warning: balanced: no rows are chosen, because none is of the kind {' or '.join(none)}, and a choice has "
+                     "as many of each kind\n  = make more touches, or others, in which this kind occurs; where it cannot, as "
+                     "stick under a rigid block, choose rows by touch/NUMBER/kind")
+    elif asked:
         each, rarest = len(choice.chosen()) // len(MOVING), min(MOVING, key=choice.counts.get)
-        lines.append(("warning: " if not each else "") + f"balanced: {each} rows each of {', '.join(MOVING)}"
+        lines.append(f"balanced: {each} rows each of {', '.join(MOVING)}"
                      + (f"; there are no more of {rarest}: make more touches" if each < asked else ""))
     return lines
 

@@ -171,6 +171,8 @@ class Fingers:
     def restore(self, states: Sequence[bytes]) -> None:
         """Restores states that `save` returned; the time may go back. Raises ValueError, with nothing changed, for states of
         other skins or of another number of fingers."""
+        if not isinstance(states, Sequence):
+            raise ValueError(f"states: the list that save returned is wanted, not {states!r:.40}")
         if len(states) != len(self):
             raise ValueError(f"states: {len(states)} of them, and there are {len(self)} fingers")
         before = self.save()

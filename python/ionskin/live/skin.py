@@ -12,7 +12,7 @@ from concurrent.futures import ThreadPoolExecutor
 import numpy
 
 from ..errors import CaseError
-from .checks import FORCE, finite, one_load, require_ascending_times, require_turns
+from .checks import FORCE, finite, one_load, require_ascending_times, require_turns, whole
 from .library import TOUCH_ROWS, load, pointer
 from .signals import LiveSkinWarning, Range, SignalError, Signals
 
@@ -172,7 +172,7 @@ class Skin:
         return self._library.ionskin_live_text(self._handle, b"shortfall").decode()
 
     def step(self, time: float, position: Sequence[float] | None = None, *, height: float | None = None,
-             force: float | None = None, angles: Sequence[float] = (0, 0, 0),
+             force: float | None = None, angles: Sequence[float] | None = None,
              pose: Sequence[float] | None = None) -> Signals:
         """Steps to a time and returns the signals; currents are means over the time since the step before.
 
@@ -180,21 +180,21 @@ class Skin:
         position  centre of the slider (x, y) [m]
         height    height of the lowest point of the underside above the undeformed top face [m], below 0 where it indents; or
         force     normal force [N], 0 or less for a detached slider
-        angles    roll, pitch and yaw [rad]
+        angles    roll, pitch and yaw [rad]; None for an upright slider
         pose      (x, y, z, roll, pitch, yaw) instead of position, height and angles; with a force, z is not used and may be
                   None
 
         Raises ValueError for a value that is not a finite number and for a time before the last, TypeError for both or neither
-        of height and force.
+        of height and force, and for a part of the pose beside it.
         """
         if pose is not None:
-            position, height, angles = _parted(pose, position, height, force)
+            position, height, angles = _parted(pose, position, height, angles, force)
         kind, value = one_load(height, force, "")
         time = float(finite("time", time, ()))
         require_ascending_times(numpy.reshape(time, 1), self._time)
         place = finite("position", position, (2,))
         value = finite("force" if kind else "height", value, ())
-        angles = finite("angles", angles, (3,))
+        angles = finite("angles", (0, 0, 0) if angles is None else angles, (3,))
         require_turns("yaw", angles[2])
         signals = numpy.empty(len(self._columns))
         flags = self._library.ionskin_live_step_posed(self._handle, time, place[0], place[1], pointer(angles), kind, value,
@@ -266,8 +266,9 @@ class Skin:
 
         Returns the arguments of `run` as a dict: times [step] [s] from one interval on, positions [step, 2] [m], angles [step, 3]
         [rad], and forces [step] [N], 0 without contact, or heights [step] [m] if the skin was trained with heights. Friction
-        is not part of it. Raises ValueError for an interval that is not above 0.
+        is not part of it. Raises ValueError for an interval that is not above 0, and for another seed or number.
         """
+        seed, number = whole("seed", seed, 0), whole("number", number, 0)
         if not finite("interval", interval, ()) > 0:
             raise ValueError(f"interval: {interval:g} s is not above 0")
         mixed = int(numpy.random.SeedSequence([seed, number]).generate_state(1, numpy.uint64)[0])
@@ -297,13 +298,22 @@ class Skin:
         trajectories  mappings with the arguments of `run`
         threads       number of threads; None for one for each processor
 
-        Returns the signals of each trajectory, in their order.
+        Returns the signals of each trajectory, in their order. Raises as `run` does, with the index of the trajectory.
         """
-        def one(arguments: Mapping) -> Signals:
-            return self.copy().run(**arguments)
+        threads = os.cpu_count() if threads is None else whole("threads", threads, 1)
+        trajectories = list(trajectories)
+        for number, arguments in enumerate(trajectories):
+            _require_arguments(f"trajectories[{number}]", arguments)
 
-        with ThreadPoolExecutor(threads or os.cpu_count()) as pool:
-            return list(pool.map(one, trajectories))
+        def one(number: int) -> Signals:
+            try:
+                return self.copy().run(**trajectories[number])
+            except (TypeError, ValueError) as wrong:
+                wrong.args = (f"trajectories[{number}]: {wrong}",)
+                raise
+
+        with ThreadPoolExecutor(threads) as pool:
+            return list(pool.map(one, range(len(trajectories))))
 
     def copy(self) -> "Skin":
         """Returns a second skin of the same file in the same state."""
@@ -342,9 +352,10 @@ class Skin:
     def restore(self, state: bytes) -> None:
         """Restores a state that `save` returned, or a row of `Skins.save`; the time may go back. Raises ValueError, with nothing changed, for a state of
         another skin and for a damaged one."""
-        if len(state) % 8:
-            raise ValueError("state: is none of a skin")
-        values = numpy.frombuffer(state)
+        try:
+            values = numpy.frombuffer(state)
+        except (TypeError, ValueError, BufferError) as wrong:
+            raise ValueError(f"state: the bytes that save returned are wanted, not {state!r:.40}") from wrong
         size = self._library.ionskin_live_state_size(self._handle)
         if len(values) == size + 1:  # of Skins, with its steps of noise
             values = values[:size]
@@ -360,11 +371,26 @@ class Skin:
         self._time, self._stepped = None, False
 
 
-def _parted(pose, position, height, force):
-    """Splits a pose into position, height and angles. Raises TypeError where position or height is given beside it, ValueError
+_TAKEN = ("times", "positions", "heights", "forces", "angles")
+
+
+def _require_arguments(name: str, arguments) -> None:
+    """Raises TypeError for anything but a mapping with arguments of `Skin.run`."""
+    if not isinstance(arguments, Mapping):
+        raise TypeError(f"{name}: a mapping with the arguments of run is wanted, not {arguments!r:.40}")
+    for argument in _TAKEN[:2]:
+        if argument not in arguments:
+            raise TypeError(f"{name}: {argument} is missing")
+    for argument in arguments:
+        if argument not in _TAKEN:
+            raise TypeError(f"{name}: run takes no {argument}\n  = it takes {', '.join(_TAKEN)}")
+
+
+def _parted(pose, position, height, angles, force):
+    """Splits a pose into position, height and angles. Raises TypeError where one of these is given beside it, ValueError
     for a pose that has not six numbers."""
-    if position is not None or height is not None:
-        raise TypeError("give either a pose or a position and a height, not both")
+    if position is not None or height is not None or angles is not None:
+        raise TypeError("give either a pose or position, height and angles, not both")
     if len(pose) != 6:
         raise ValueError(f"pose: {len(pose)} numbers, and must be six: x, y, z, roll, pitch, yaw")
     return pose[:2], pose[2] if force is None else None, pose[3:]

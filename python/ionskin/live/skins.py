@@ -8,7 +8,7 @@ from concurrent.futures import ThreadPoolExecutor
 
 import numpy
 
-from .checks import finite, one_load
+from .checks import finite, numbers, one_load, whole
 from .library import Batch, load, pointer
 from .signals import Signals
 from .skin import Skin
@@ -16,6 +16,7 @@ from .skin import Skin
 _LARGEST_SEED = 2**32 - 1
 _MOST_STEPS = 2**53  # which a number of a state holds exactly
 _BLOCK = 64  # environments that a thread takes at a time
+_MOST_THREADS = 1024
 
 
 class Skins:
@@ -27,7 +28,7 @@ class Skins:
     environments  number of environments
     signals       names of the signals that a step returns; None for all
     dtype         type of positions, loads and signals: float32 or float64; times are float64
-    threads       number of threads; None: one for each processor
+    threads       number of threads, up to 1024; None: one for each processor. There are no more threads than environments
     friction      coefficient or coefficients, as `set_friction` takes them; None for the skin's own
     noise, seed   standard deviation of the noise of currents [A] and seed, as `set_noise` takes them
 
@@ -38,11 +39,14 @@ class Skins:
     def __init__(self, skin: Skin | str | os.PathLike, environments: int, *, signals: Sequence[str] | None = None,
                  dtype=numpy.float64, threads: int | None = None, friction=None, noise=0.0, seed: int = 0) -> None:
         self._skin = skin.copy() if isinstance(skin, Skin) else Skin(skin)
-        self._count = _count("environments", environments)
-        self._threads = _count("threads", threads if threads is not None else len(os.sched_getaffinity(0)))
+        self._count = whole("environments", environments, 1)
+        threads = len(os.sched_getaffinity(0)) if threads is None else whole("threads", threads, 1, _MOST_THREADS)
+        self._threads = min(threads, self._count)
         self._dtype = numpy.dtype(dtype)
         if self._dtype not in (numpy.float32, numpy.float64):
             raise ValueError(f"dtype: float32 or float64 is wanted, not {self._dtype}")
+        if isinstance(signals, str):
+            raise ValueError(f"signals: a list of names is wanted, not the text {signals!r}\n  = give signals=[{signals!r}]")
         self._names = tuple(self._skin.names if signals is None else signals)
         unknown = [name for name in self._names if name not in self._skin.names]
         if unknown:
@@ -150,10 +154,7 @@ class Skins:
             except (BufferError, RuntimeError, TypeError) as wrong:
                 raise ValueError(f"{name}: the array cannot be read in place: {wrong}; detach it, and move it to the "
                                  "memory of the processor") from wrong
-        try:
-            array = numpy.ascontiguousarray(values, dtype=dtype)
-        except (TypeError, ValueError) as wrong:
-            raise ValueError(f"{name}: numbers are wanted, not {values!r}") from wrong
+        array = numbers(name, values, dtype)
         if numpy.ndim(values) == 0 and len(shape) == 1:
             array = numpy.full(shape, array.reshape(())[()], dtype=dtype)
         if array.shape != shape:
@@ -199,7 +200,7 @@ class Skins:
         Raises ValueError for coefficients outside the trained range, and changes nothing then.
         """
         chosen = self._chosen(environments)
-        values = finite("friction", numpy.broadcast_to(coefficients, chosen.shape), chosen.shape)
+        values = _one_or_each("friction", coefficients, chosen.shape)
         low, high = self._skin.range.friction
         outside = values[(values < low) | (values > high)]
         if outside.size:
@@ -217,13 +218,10 @@ class Skins:
 
         Raises ValueError for negative deviations and other seeds.
         """
-        shape = (self._count,)
-        deviations = finite("noise", numpy.broadcast_to(deviations, shape), shape)
+        deviations = _one_or_each("noise", deviations, (self._count,))
         if (deviations < 0).any():
             raise ValueError(f"noise: {deviations.min():g} A is below 0")
-        if isinstance(seed, bool) or not isinstance(seed, (int, numpy.integer)) or not 0 <= seed <= _LARGEST_SEED:
-            raise ValueError(f"seed: an integer from 0 to {_LARGEST_SEED} is wanted, not {seed!r}")
-        self._noise, self._seed = deviations.copy(), int(seed)
+        self._noise, self._seed = deviations.copy(), whole("seed", seed, 0, _LARGEST_SEED)
         for environment in range(self._count):
             self._take_noise(environment, 0)
 
@@ -255,7 +253,7 @@ class Skins:
         Raises ValueError when a state is of a skin from another file or damaged; environments before it are restored then.
         """
         chosen = self._chosen(environments)
-        states = numpy.ascontiguousarray(states, dtype=float)
+        states = numbers("states", states)
         if states.ndim != 2 or len(states) != len(chosen):
             raise ValueError(f"states: the shape is {states.shape}, and must be ({len(chosen)}, size of a state)")
         size = self._library.ionskin_live_state_size(self._skin._handle)
@@ -295,7 +293,11 @@ class Skins:
             self._take_noise(environment, steps)
 
 
-def _count(name: str, value) -> int:
-    if isinstance(value, bool) or not isinstance(value, (int, numpy.integer)) or value < 1:
-        raise ValueError(f"{name}: a whole number from 1 is wanted, not {value!r}")
-    return int(value)
+def _one_or_each(name: str, values, shape: tuple) -> numpy.ndarray:
+    """Array [environment] of finite numbers, of one for all or one for each. Raises ValueError for another number of them."""
+    given = numbers(name, values)
+    if given.size == 1 and given.ndim <= 1:
+        given = numpy.broadcast_to(given, shape)
+    if given.shape != shape:
+        raise ValueError(f"{name}: the shape is {given.shape}, and must be {shape}, or one number for all")
+    return finite(name, given, shape)

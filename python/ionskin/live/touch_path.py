@@ -17,19 +17,25 @@ def touch_path(touch: Mapping, skin=None):
     skin   Skin; None to leave out what follows. Behind the touch, the slider goes through the trained range under the largest
            trained load. Under a round slider, a full run of the path then has the contact cells of the live skin.
 
-    Time begins at 0 s with the first step. Angles that are all 0 are left out.
+    The instants of the path are the times of the touch; it begins at 0 s, and off the skin. Angles that are all 0 are left out.
+    Raises ValueError for times below 0.
     """
     from ..reading.recording.path import Path  # a controller reads no recordings
 
     times, positions = (numpy.asarray(touch[name], dtype=float) for name in ("times", "positions"))
-    times = times - times[0]
+    if times[0] < 0:
+        raise ValueError(f"times: {times[0]:g} s is the first, and a path begins at 0 s; add {-times[0]:g} s to all times")
     by_force = touch.get("forces") is not None
     loads = numpy.asarray(touch["forces" if by_force else "heights"], dtype=float)
     angles = touch.get("angles")
     angles = numpy.asarray(angles, dtype=float) if numpy.any(angles) else None
+    off = 0.0 if by_force else CLEARANCE
+    if times[0] > 0:  # as that of Skin.random_touch, which has no step at 0 s
+        before = loads[0] if (loads[0] <= 0 if by_force else loads[0] >= 0) else off
+        times, loads, positions = numpy.append(0, times), numpy.append(before, loads), numpy.vstack([positions[:1], positions])
+        angles = None if angles is None else numpy.vstack([angles[:1], angles])
     if skin is not None:
         low, high, load = skin.range.lowest, skin.range.highest, skin.range.force if by_force else -skin.range.indentation
-        off = 0.0 if by_force else CLEARANCE
         stroke = max(LANDING, numpy.hypot(high[0] - low[0], high[1] - low[1]) / (skin.range.speed or USUAL_SPEED))
         times = numpy.concatenate([times, times[-1] + numpy.cumsum([PAUSE, LANDING, stroke, LANDING])])
         positions = numpy.vstack([positions, low, low, high, high])

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <filesystem>
 #include <stdexcept>
+#include <string>
 
 namespace ionskin::live {
 namespace {
@@ -44,6 +45,19 @@ TEST_F(LiveController, TakesNoMemoryInTheLoop) {
   }
   skin.reset();
   EXPECT_EQ(allocations() - before, 0u);
+}
+
+TEST_F(LiveController, RefusesNoFileAndNoEnvironments) {
+  char message[80] = "";
+  EXPECT_EQ(ionskin_live_open(nullptr, message, sizeof message), nullptr);
+  EXPECT_EQ(std::string(message).find("path: it is NULL"), 0u) << message;
+  EXPECT_EQ(ionskin_live_open(nullptr, nullptr, 0), nullptr);
+  const ionskin_live::Skin skin(path);
+  EXPECT_EQ(ionskin_live_skins_open(skin.handle(), 0, 1), nullptr);
+  EXPECT_EQ(ionskin_live_skins_open(skin.handle(), 3, 0), nullptr);
+  ionskin_live_skins* skins = ionskin_live_skins_open(skin.handle(), 3, 1);
+  EXPECT_NE(skins, nullptr);
+  ionskin_live_skins_close(skins);
 }
 
 TEST_F(LiveController, DrawsTouchesWithinTheTrainedRange) {

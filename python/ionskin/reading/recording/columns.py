@@ -91,6 +91,7 @@ def assign(columns, wanted) -> dict[str, Column]:
         column = named[0]
         if column.values is None:
             raise CaseError(f"--column {text}: {_no_numbers(column)}\n  = name another column")
+        _require_one(named, role)
         found[role] = Column(column.name, match[2] or column.unit, column.first, column.values)
     numbers = [one for one in columns if one.values is not None]
     for role, patterns in NAMES.items():
@@ -100,10 +101,21 @@ def assign(columns, wanted) -> dict[str, Column]:
             fitting = [one for one in numbers if re.fullmatch(pattern, one.name) and _may_be(role, one)]
             if fitting:
                 found[role] = fitting[0]
+                _require_one([one for one in fitting if one.name == fitting[0].name], role)
                 break
         else:
             _require_none(columns, role)
     return found
+
+
+def _require_one(columns, role):
+    """Raises CaseError for several columns of one name whose numbers differ."""
+    first = columns[0]
+    for other in columns[1:]:
+        if (other.unit, other.first) != (first.unit, first.first) or not numpy.array_equal(other.values, first.values, True):
+            raise CaseError(f"{len(columns)} columns of the recording are named {first.name}, and differ: which is {role} is "
+                            "not known\n  = rename the others in the file, or name another column: --column "
+                            f"\"{role}=NAME [unit]\"")
 
 
 def _require_none(columns, role):

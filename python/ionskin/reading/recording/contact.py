@@ -4,12 +4,37 @@
 import numpy
 
 FEW = 20  # rows, which tell no noise
+FLAT = 5  # successive rows, through which a force with noise is not constant
 
 
 def noise(force):
     """Standard deviation of the noise of a force [rows] [N], by its second differences,
-    most of which are noise; 0 for few rows."""
-    return 1.4826 * float(numpy.median(numpy.abs(numpy.diff(force, 2)))) / numpy.sqrt(6) if len(force) >= FEW else 0.0
+    most of which are noise; 0 for few rows.
+
+    Rows at the limit of a sensor, which repeat the largest force, have no noise and are left out.
+    """
+    if len(force) < FEW:
+        return 0.0
+    differences = numpy.abs(numpy.diff(force, 2))
+    flat = numpy.convolve(_flat(force), numpy.ones(3), mode="valid") > 0
+    if (~flat).sum() >= FEW:
+        differences = differences[~flat]
+    return 1.4826 * float(numpy.median(differences)) / numpy.sqrt(6)
+
+
+def _flat(force):
+    """True in rows [rows] that have the largest force, as one of the rows beside them has, too."""
+    top = numpy.pad(force == force.max(), 1)
+    return top[1:-1] & (top[:-2] | top[2:])
+
+
+def saturated(force):
+    """True in rows [rows] that repeat the largest force in several successive rows, in spite of noise, as at the limit of a
+    sensor."""
+    flat = numpy.zeros(len(force), dtype=bool)
+    for first, behind in parts(_flat(force)) if noise(force) > 0 else []:
+        flat[first:behind] = behind - first >= FLAT
+    return flat
 
 
 def steady(force):
@@ -41,13 +66,17 @@ def threshold(force, share=1.0):
     return max(5 * share * noise(force), 0.02 * (float(steady(force).max()) - rest_level(force)))
 
 
-def spike(force):
-    """Row that departs most from the force at rest, of either sign, if it stands alone: more than three times as far as
-    the steady force. None otherwise.
+def spikes(force, above):
+    """Rows that stand alone, as an array: those that depart from the force at rest, to either side, more than three times as
+    far as the steady force, and those that lift the finger between two rows in which it presses.
+
+    above  force above the level at rest from which the finger touches [N]
     """
     level = rest_level(force)
-    row = int(numpy.argmax(numpy.abs(force - level)))
-    return row if abs(force[row] - level) > 3 * numpy.abs(steady(force) - level).max() + 5 * noise(force) else None
+    far = numpy.abs(force - level) > 3 * numpy.abs(steady(force) - level).max() + 5 * noise(force)
+    presses = numpy.pad(force - level > 2 * above, 1)
+    lifts = (force - level <= 0.5 * above) & presses[:-2] & presses[2:]
+    return numpy.flatnonzero(far | lifts)
 
 
 def compresses(force, zeroed):

@@ -12,6 +12,8 @@ from .merging import merged
 from .path import Path
 from .tilt import Tilt
 
+LEVELS, FRAMES = ("auto", "height", "force"), ("skin", "recording", "tool")
+MOST_TOLD = 4  # rows that stand alone
 LEAD = 0.1  # s before a recording that begins on the skin
 PLACE_DECIMALS = 8  # of positions in m: 1 nm beside the middle of the skin, of rounded quaternions, would double the cost of a run
 
@@ -40,6 +42,8 @@ def motion(recordings, *, columns=(), origin=(0, 0, 0), x_axis=(1, 0, 0), y_axis
 
     Raises CaseError when a file or an argument cannot be used.
     """
+    _require_known(level, LEVELS, "--level")
+    _require_known(force_in, FRAMES, "--force-in")
     notes = []
     record = merged([recordings] if isinstance(recordings, (str, os.PathLike)) else list(recordings), columns, notes)
     channels, share = record.channels, 1.0
@@ -73,11 +77,12 @@ def motion(recordings, *, columns=(), origin=(0, 0, 0), x_axis=(1, 0, 0), y_axis
             notes.append("the sign of the force is turned: compression counts as positive")
             force, sensed = -force, -sensed
         above, rest = contact.threshold(sensed, share), contact.rest_level(sensed)
-        row = contact.spike(sensed)
-        if row is not None:
-            notes.append(f"one row alone has {sensed[row]:.4g} N, {record.sensed.time[row]:.4g} s after the first row, and "
-                         f"the others at most {contact.steady(sensed).max():.4g} N: if the sensor erred, empty its cell in the "
-                         "file, and convert it again")
+        _tell_spikes(record.sensed.time, sensed, above, notes)
+        flat = contact.saturated(sensed)
+        if flat.any():
+            notes.append(f"the force stays at its largest value, {sensed.max():.4g} N, in {flat.sum()} rows, the first of them "
+                         f"{record.sensed.time[numpy.argmax(flat)]:.4g} s after the first row: if that is the limit of the "
+                         "sensor, the finger pressed harder there")
         height, force = _by_force(force, height if level == "auto" else None, off, above, rest, contact_force, tare, notes)
     else:
         force = numpy.full(len(height), numpy.nan)
@@ -93,6 +98,21 @@ def motion(recordings, *, columns=(), origin=(0, 0, 0), x_axis=(1, 0, 0), y_axis
         poses = None if poses is None else numpy.vstack((poses[:1], poses))
     notes.append(_summary(time, place, height, force))
     return Path(time, place, height, force, notes, poses)
+
+
+def _tell_spikes(time, force, above, notes):
+    """Adds a note on the rows of a force [rows] [N] that stand alone; `above` is the threshold of the contact [N]."""
+    rows = contact.spikes(force, above)
+    if not len(rows):
+        return
+    if len(rows) == 1:
+        told, cells = f"one row alone has {force[rows[0]]:.4g} N, {time[rows[0]]:.4g} s after the first row", "its cell"
+    else:
+        told = ", ".join(f"{force[row]:.4g} N at {time[row]:.4g} s" for row in rows[:MOST_TOLD])
+        told = f"{len(rows)} rows, each alone, have {told}{', ...' if len(rows) > MOST_TOLD else ''} after the first row"
+        cells = "their cells"
+    notes.append(f"{told}, and the others at most {contact.steady(force).max():.4g} N: if the sensor erred, empty {cells} in "
+                 "the file, and convert it again")
 
 
 def _require_angles(record, pressed):
@@ -121,6 +141,12 @@ def _angles(channels, axes, touches, wanted, notes):
     if note:
         notes.append(f"{note}, which the path leaves out: {tilt.remedy()}")
     return None
+
+
+def _require_known(value, known, name):
+    """Raises CaseError for a value of an option that is none of the known ones."""
+    if value not in known:
+        raise CaseError(f"{name} = {value!r} is none of {', '.join(known)}\n  = choose one of them")
 
 
 def _positive(value, name):
@@ -202,6 +228,10 @@ def _by_force(force, height, gap, above, rest, contact_force, tare, notes):
     if faint and contact_force is None:
         notes.append(f"{faint} of the {len(touched)} touches stay{'s' if faint == 1 else ''} below twice this threshold: if that "
                      "is noise, set a larger one with --contact-force")
+    if touched[-1][1] == len(force):
+        notes.append(f"the last touch does not end: the last row has {force[-1]:.4g} N. If the finger has left the skin by "
+                     "then, the force at rest drifts: subtract the drift before, or set a larger threshold with --contact-force. "
+                     "Else the recording ends on the skin")
     if height is None:
         off = numpy.full(len(force), gap)
         notes.append(f"off the skin the height is {1e3 * gap:.4g} mm")

@@ -9,6 +9,7 @@
 #include <exception>
 #include <new>
 #include <span>
+#include <stdexcept>
 #include <string_view>
 
 static_assert(IONSKIN_LIVE_OUTSIDE_PLACE == ionskin::live::flag::outside_place);
@@ -27,6 +28,9 @@ uint32_t ionskin_live_interface(void) {
 
 ionskin_live_skin* ionskin_live_open(const char* path, char* message, size_t size) {
   try {
+    if (path == nullptr) {
+      throw std::invalid_argument("path: it is NULL\n  = name a file that ionskin live wrote");
+    }
     return new ionskin_live_skin(
         std::make_shared<const ionskin::live::SkinData>(ionskin::live::read_skin(path)));
   } catch (const std::exception& error) {

@@ -35,6 +35,9 @@ extern "C" {
 
 ionskin_live_skins* ionskin_live_skins_open(const ionskin_live_skin* like, size_t environments,
                                             size_t workers) {
+  if (environments == 0 || workers == 0) {
+    return nullptr;
+  }
   try {
     return new ionskin_live_skins{like->data, {*like->data, like->skin, environments, workers}};
   } catch (const std::exception&) { // no memory

@@ -178,7 +178,8 @@ typedef struct ionskin_live_batch {
 } ionskin_live_batch;
 
 /* Makes skins that are all in the state and with the friction of `like`, without noise; NULL when
-   out of memory. `workers` is the number of threads that may step at once, at least 1. */
+   out of memory, and if `environments` or `workers` is 0. `workers` is the number of threads that
+   may step at once. */
 ionskin_live_skins* ionskin_live_skins_open(const ionskin_live_skin* like, size_t environments,
                                             size_t workers);
 /* Frees the skins; NULL is allowed. */
