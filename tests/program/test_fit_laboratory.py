@@ -100,6 +100,9 @@ class LaboratoryData(ProgramTest):
         turned = self.fit(self.data(self.time, -noisy * TRUTH / 0.12), GAIN)
         self.assertLess(turned["parameters"][GAIN]["value"], 0)
         self.assert_warns(turned, "electrodes are swapped")
+        # Without its landing the record is like the model in another place, too: where it lands.
+        leaving = self.fit(self.data(self.time[60:], -noisy[60:] * TRUTH / 0.12), GAIN)
+        self.assertAlmostEqual(leaving["parameters"][GAIN]["value"], -((TRUTH / 0.12) ** 2), delta=0.02)
 
     def test_records_that_end_with_what_to_do_before_any_search(self):
         noisy = self.current + self.noise

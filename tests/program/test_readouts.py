@@ -82,6 +82,24 @@ class Readouts(ProgramTest):
         self.assertFalse(taxels["voltage_b"].any())
         self.assertIn("reading_b", taxels)
 
+    def test_electrodes_and_taxels_compare_their_largest_reading_with_its_noise(self):
+        whole, off = "readout.taxels={rows = 1, columns = 1}", "numerics.error_estimate=off"
+        amplifier = ("readout.amplifier_bandwidth=10 Hz", "readout.amplifier_range=20 uA")
+        for circuit, column, edits in (("open", "voltage", ()), ("load", "voltage", ("readout.load_resistance=100 Ohm",)),
+                                       ("amplifier", "current", amplifier)):
+            with self.subTest(circuit):
+                _, out = self.read_out(circuit, off, f"readout.circuit={circuit}", *edits)
+                peak = numpy.abs(signals(out, "sampled_circuit")[column]).max()
+                self.assertAlmostEqual(metric(out, "signal_to_noise") * metric(out, "sample_noise") / peak, 1, 9)
+                _, taxel = self.read_out(f"{circuit}_taxel", off, whole, f"readout.taxel_circuit={circuit}", *edits)
+                self.assertAlmostEqual(metric(taxel, "signal_to_noise") / metric(out, "signal_to_noise"), 1, 3)
+                self.assertAlmostEqual(metric(taxel, "sample_noise_quantisation") / metric(out, "sample_noise_quantisation"), 1, 9)
+        self.assertGreater(metric(out, "amplifier_clipped_time"), 0)
+        self.assertLess(peak, 0.5 * metric(out, "peak_sampled_current_difference"))
+        # Noise that the amplifier draws is no signal.
+        _, noisy = self.read_out("noisy", off, "readout.circuit=amplifier", *amplifier, "readout.amplifier_noise_density=10 uA/sqrt(Hz)")
+        self.assertAlmostEqual(metric(noisy, "signal_to_noise") * metric(noisy, "sample_noise") / peak, 1, 9)
+
     def test_lines_that_cross(self):
         grid, load = 'readout.taxels={rows = 2, columns = 2, wiring = "crossbar"}', ("readout.taxel_circuit=load", "readout.load_resistance=300 Ohm")
         scan = ("readout.scan.dwell=50 ms", "readout.scan.others=open")

@@ -166,6 +166,19 @@ def of_mechanics(results):
     return f"In mid-slide {text}; the ions were not asked for." if text else None
 
 
+def sampled_readings(results):
+    """Largest magnitudes of what each instrument of a run reads, means over the sampling interval."""
+    table, names = results.sampled, ["current_difference"]
+    if results.sampled_taxels is not None and has_own_circuits(results):
+        table, flow = results.sampled_taxels, "current_circuit_"
+        names = [name for name in table if name.startswith((VOLTAGE, READING))
+                 or name.startswith(flow) and name.replace(flow, READING) not in table]
+    elif results.sampled_circuit is not None:
+        table = results.sampled_circuit
+        names = [name for name in ("voltage", "current") if table.has(name)]
+    return [largest(table, name)[1] for name in names]
+
+
 def of_noise(results, before):
     """Sentences on the noise of one reading, its parts, and the ratio of the peak to it; [] for runs of older versions.
 
@@ -183,7 +196,9 @@ def of_noise(results, before):
         ("the skin's thermal noise", metric("sample_noise_thermal")), ("the amplifier", metric("sample_noise_amplifier")),
         ("the converter's steps", metric("sample_noise_quantisation"))) if value)
     peak = quantity(ratio * metric("sample_noise"), unit, 3)
-    peak = "that peak" if any(f" {peak}" in sentence for sentence in before) else f"the largest sampled reading, {peak}"
+    # An amplifier's reading counts without the noise that the amplifier draws.
+    quiet = "" if peak in {quantity(value, unit, 3) for value in sampled_readings(results)} else " without noise"
+    peak = "that peak" if any(f" {peak}" in sentence for sentence in before) else f"the largest sampled reading, {peak}{quiet}"
     verdict = (f"{float(f'{ratio:.2g}'):,g} times smaller than {peak}" if ratio >= 3 else
                f"no smaller than a third of {peak}: one reading does not show it" if ratio >= 1 else f"larger than {peak}: it cannot be read")
     return [f"The noise of one reading is {quantity(metric('sample_noise'), unit, 2)} rms ({parts}), {verdict}."]

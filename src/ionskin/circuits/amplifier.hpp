@@ -61,9 +61,9 @@ struct Amplifier {
   std::string words() const;
   /// Computes what the amplifier shows at every row of a run. The low pass is solved exactly for an
   /// input current that is constant over each step. Charge in row 0 is an impulse: y starts at
-  /// charge/tau. `charge` of the result sums the mean current of each step, clipped. The figures
-  /// are the largest current shown [A] and the total length of the steps that end clipped [s]; a
-  /// warning reports clipping.
+  /// charge/tau. `charge` of the result is the integral of the clipped output; the noise within a
+  /// step is clipped as a whole. The figures are the largest current shown [A] and the time in
+  /// which the output is beyond the range [s]; a warning reports clipping.
   /// @param time instants of the rows, ascending and not empty [s]
   /// @param charge (Q_top - Q_bottom)/2 under short circuit, one value per row [C]
   InstrumentReading read(const std::vector<double>& time, const std::vector<double>& charge) const;

@@ -73,12 +73,34 @@ TEST(Amplifier, ClipsAndSaysForHowLong) {
   EXPECT_DOUBLE_EQ(reading.current[1], 1e-6);
   EXPECT_NEAR(reading.current[2], 0.5e-6, 1e-15);
   EXPECT_DOUBLE_EQ(reading.current[3], -1e-6);
-  EXPECT_DOUBLE_EQ(figure(reading, "amplifier_clipped_time"), 2);
+  // The output passes the range ln 2 time constants after 0 s, falls back ln 3 after 1 s, and
+  // passes the other limit ln 1.75 after 2 s.
+  EXPECT_DOUBLE_EQ(figure(reading, "amplifier_clipped_time"),
+                   2 + time_constant * std::log(3 / 2.0 / 1.75));
   EXPECT_DOUBLE_EQ(figure(reading, "peak_amplifier_current"), 1e-6);
   ASSERT_EQ(reading.warnings.size(), 1U);
   EXPECT_NE(reading.warnings[0].find("the current reaches 3e-06 A, its range 1e-06 A, for 2 s"),
             std::string::npos);
-  EXPECT_DOUBLE_EQ(reading.charge[1], 1e-6);
+  EXPECT_NEAR(reading.charge[1], 1e-6 * (1 + time_constant * (std::log(2.0) - 1)), 1e-20);
+  EXPECT_NEAR(reading.charge[2] - reading.charge[1],
+              0.5e-6 * (1 + time_constant * (std::log(3.0) + 1)), 1e-20);
+}
+
+TEST(Amplifier, ClipsForATimeThatDoesNotDependOnTheSteps) {
+  // A pulse of 10 ms, resolved by its ends alone and by rows every 0.1 ms.
+  const auto read = [](double step) {
+    std::vector<double> time{0}, charge{0};
+    for (int row = 1; row <= std::lround(0.05 / step); ++row) {
+      time.push_back(row * step);
+      charge.push_back(3e-6 * std::min(time.back(), 0.01));
+    }
+    return Amplifier{bandwidth, 0, 1e-6, 1}.read(time, charge);
+  };
+  const double settled = 3 * -std::expm1(-0.01 / time_constant);
+  const double expected = 0.01 + time_constant * (std::log(settled) - std::log(1.5));
+  EXPECT_NEAR(figure(read(0.01), "amplifier_clipped_time"), expected, 1e-12);
+  EXPECT_NEAR(figure(read(1e-4), "amplifier_clipped_time"), expected, 1e-12);
+  EXPECT_NEAR(read(0.01).charge.back(), read(1e-4).charge.back(), 1e-20);
 }
 
 TEST(Amplifier, NoiseHasTheVarianceOfItsBandAndTheDensityOfItsIntegral) {

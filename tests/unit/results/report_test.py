@@ -272,6 +272,22 @@ class OtherRuns(unittest.TestCase):
         (self.folder / "circuit.csv").write_text("time [s],current [A],charge [C]\n0,0,0\n4,1e-9,2e-9\n")
         self.assertIn("The amplifier between the electrodes reads up to 1 nA", opening())
 
+    def test_the_noise_is_compared_with_the_largest_sampled_reading(self):
+        write_run(self.folder)
+        path = self.folder / "summary.json"
+        summary = json.loads(path.read_text())
+        summary["metrics"] |= {"sample_noise": {"value": 1e-10, "unit": "A"}, "signal_to_noise": {"value": 5, "unit": "1"}}
+        path.write_text(json.dumps(summary))
+        (self.folder / "circuit.csv").write_text("time [s],current [A],charge [C]\n0,0,0\n4,1e-9,2e-9\n")
+
+        def noise(sampled):
+            (self.folder / "sampled_circuit.csv").write_text(f"time [s],current [A],charge [C]\n1,1e-11,1e-11\n2,{sampled},4e-10\n")
+            return answer.sentences(Results(self.folder))[1]
+
+        self.assertTrue(noise(-5e-10).endswith("5 times smaller than the largest sampled reading, 500 pA."))
+        self.assertTrue(noise(-6e-10).endswith("5 times smaller than the largest sampled reading, 500 pA without noise."))
+        self.assertTrue(noise(1e-9).endswith("500 pA without noise."))
+
     def test_an_event_names_only_what_is_read_from_its_begin_on(self):
         """Contact begins at 0.4 s, sliding at 0.5 s; contact ends at 1.4 s. The readout takes a sample each millisecond."""
         write_run(self.folder)

@@ -162,13 +162,21 @@ private:
                     value_of(*difference.pair->finer, name));
   }
 
+  /// Signals related to a metric; the ratio of a voltage to its noise errs as the voltage does.
+  std::vector<std::string> signals_of(const Metric& metric) const {
+    const Metric* noise = find_by_name(base_.metrics, "sample_noise");
+    const bool of_voltage =
+        metric.name == "signal_to_noise" && noise != nullptr && noise->unit == "V";
+    return related_signals(of_voltage ? "peak_voltage" : metric.name);
+  }
+
   double part(const Metric& metric, const PairDifference& difference) const {
     double largest = own(metric.name, difference);
     const auto at_least = [&largest](double other) {
       largest = std::isnan(largest) || std::isnan(other) ? std::nan("") : std::max(largest, other);
     };
     const double value = std::abs(metric.value);
-    for (const std::string& signal : related_signals(metric.name)) {
+    for (const std::string& signal : signals_of(metric)) {
       at_least(value * relative_norm(difference, signal));
     }
     for (const std::string& name : related_metrics(metric.name)) {

@@ -55,13 +55,13 @@ void require_kept_sign(const Alignment& kept, const Alignment& turned, double co
   }
 }
 
-std::string shift_text(const FitData& data, const Alignment& kept, double correlation,
+std::string shift_text(const FitData& data, const Alignment& best, double correlation,
                        double time_shift) {
-  const bool late = kept.time_shift > time_shift;
+  const bool late = best.time_shift > time_shift;
   return fmt::format(
       "the data correlate with the model by {:.2f}, and by {:.2f} when their clock is "
       "taken to be {:.4g} s {} ({} rows)",
-      correlation, kept.correlation, std::abs(kept.time_shift - time_shift),
+      correlation, best.correlation, std::abs(best.time_shift - time_shift),
       late ? "late" : "early", data.values.size());
 }
 
@@ -117,10 +117,14 @@ std::vector<std::string> compare_with_start(const FitModel& model, const FitData
                     data.column, data.time.front(), data.time.back(), start.time.back()));
   }
   const double r = correlation(data.values, signal);
-  const Alignment kept = best_alignment(data, start, Sign::kept);
+  // With a free gain, data that are like minus the model agree with it.
+  const bool gain = model.frees("data.gain");
+  const double agreement = gain ? std::abs(r) : r;
+  const Alignment best = best_alignment(data, start, gain ? Sign::free : Sign::kept);
+  const double best_agreement = std::abs(best.correlation);
   std::vector<std::string> warnings;
-  if (!model.frees("data.gain")) {
-    require_kept_sign(kept, best_alignment(data, start, Sign::free),
+  if (!gain) {
+    require_kept_sign(best, best_alignment(data, start, Sign::free),
                       correlation(data.values, predict_shifted(data, start, 0)));
     if (size > other_size * start_size || other_size * size < start_size) {
       const std::string text = fmt::format(
@@ -136,10 +140,10 @@ std::vector<std::string> compare_with_start(const FitModel& model, const FitData
       warnings.push_back("At the start " + text + ": " + remedy + ".");
     }
   }
-  const bool shift_helps = kept.correlation > alike && kept.correlation > r + clearly;
+  const bool shift_helps = best_agreement > alike && best_agreement > agreement + clearly;
   if (!model.frees("data.time_shift") && shift_helps) {
-    const std::string text = shift_text(data, kept, r, adjustment.time_shift);
-    if (r < hopeless && kept.correlation > sure && !frees_motion(model)) {
+    const std::string text = shift_text(data, best, r, adjustment.time_shift);
+    if (agreement < hopeless && best_agreement > sure && !frees_motion(model)) {
       throw UserError(text + "\n  = " + shift_remedy);
     }
     warnings.push_back("At the start " + text + ": " + shift_remedy + ".");

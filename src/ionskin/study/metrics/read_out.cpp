@@ -443,9 +443,6 @@ Signals read_out(const Case& input, const MechanicsRecord& mechanics, const IonS
   if (const auto identity = charge_identity(input, mechanics, ions, threads)) {
     signals.metrics.push_back(*identity);
   }
-  if (!input.readout.is_cut()) {
-    add_noise(input, mechanics, ions, signals);
-  }
   add_ion_metrics(input, ions, signals.resolved, signals.metrics);
   const bool moves_water = ionskin::moves_water(input);
   const circuits::Circuit circuit =
@@ -460,6 +457,7 @@ Signals read_out(const Case& input, const MechanicsRecord& mechanics, const IonS
   }
   if (!input.readout.is_cut()) {
     add_circuit(circuit, ions, input.readout.sample_interval, signals);
+    add_noise(input, mechanics, ions, signals);
   }
   if (signals.taxels) {
     signals.metrics.push_back({"peak_sampled_taxel_current",

@@ -15,6 +15,32 @@
 namespace ionskin::study {
 namespace {
 
+/// Largest reading of the own instrument of a circuit, a mean over the readout interval behind its
+/// bandwidth and within its range [A]; without the noise that the instrument draws, which is no
+/// signal.
+/// @param values of the parameters of the circuit
+/// @param charge that passes the instrument [row] [C]
+double largest_own_reading(const std::string& name, laws::LawValues values,
+                           const std::vector<double>& time, const std::vector<double>& charge,
+                           double interval) {
+  if (const auto noise = values.find(circuits::circuit_row(name).noise); noise != values.end()) {
+    noise->second = 0;
+  }
+  return readout::peak_magnitude(
+      readout::sampled_reading(circuits::circuit(name, values), time, charge, interval)
+          .mean_current);
+}
+
+/// Charge that the circuit of a conductor has passed [row] [C].
+const std::vector<double>& passed_by(const electrochemistry::IonSolution& ions,
+                                     const std::string& conductor) {
+  using electrochemistry::SegmentCharge;
+  const auto line = std::ranges::find(ions.lines, conductor, &SegmentCharge::name);
+  return line != ions.lines.end()
+             ? line->passed
+             : std::ranges::find(ions.top_segments, conductor, &SegmentCharge::name)->passed;
+}
+
 double value_of(const std::vector<readout::Metric>& metrics, const std::string& name) {
   const auto found = std::ranges::find(metrics, name, &readout::Metric::name);
   return found == metrics.end() ? 0.0 : found->value;
@@ -59,7 +85,11 @@ void add_noise_of_taxel(const Case& input, const MechanicsRecord& mechanics,
   for (const Taxel& conductor : conductors) {
     const bool has_voltage = !circuits::circuit_row(conductor.circuit).holds_potential;
     const std::string column = (has_voltage ? "voltage_" : "current_circuit_") + conductor.name;
-    const double largest = readout::peak_magnitude(signals.sampled_taxels->column(column).values);
+    const double largest =
+        circuits::circuit(conductor.circuit, conductor.parameters).read
+            ? largest_own_reading(conductor.circuit, conductor.parameters, ions.time,
+                                  passed_by(ions, conductor.name), input.readout.sample_interval)
+            : readout::peak_magnitude(signals.sampled_taxels->column(column).values);
     if (has_voltage > of_voltage || (has_voltage == of_voltage && largest > peak)) {
       strongest = conductor, of_voltage = has_voltage, peak = largest;
     }
@@ -91,8 +121,13 @@ void add_noise(const Case& input, const MechanicsRecord& mechanics,
   const circuits::Circuit circuit =
       circuits::circuit(input.readout.circuit, input.readout.parameters);
   const bool of_voltage = circuit.admittance.has_value();
-  const double peak = of_voltage ? readout::peak_magnitude(ions.voltage)
-                                 : value_of(signals.metrics, "peak_sampled_current_difference");
+  const double peak =
+      circuit.read
+          ? largest_own_reading(input.readout.circuit, input.readout.parameters, ions.time,
+                                readout::charge_difference(ions.charge_top, ions.charge_bottom),
+                                input.readout.sample_interval)
+      : of_voltage ? readout::peak_magnitude(signals.sampled_circuit->column("voltage").values)
+                   : value_of(signals.metrics, "peak_sampled_current_difference");
   const SampleNoise noise = sample_noise(input, peak, ions.time.back() - ions.time.front());
   for (const auto& found :
        {precursor_metrics(input, mechanics, signals.resolved, current_noise(input, noise)),

@@ -14,7 +14,8 @@ namespace ionskin::study {
 void add_noise_of_taxel(const Case& input, const MechanicsRecord& mechanics,
                         const electrochemistry::IonSolution& ions, Signals& signals);
 
-/// Adds the noise of a reading, and the metrics of slip precursors that stand out from it.
+/// Adds the noise of a reading of the electrode, and the metrics of slip precursors that stand out
+/// from it. `signals` has the readings of the electrode already.
 void add_noise(const Case& input, const MechanicsRecord& mechanics,
                const electrochemistry::IonSolution& ions, Signals& signals);
 

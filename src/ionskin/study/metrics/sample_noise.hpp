@@ -35,7 +35,7 @@ double current_noise(const Case& input, const SampleNoise& noise);
 
 /// Metrics of the noise: its parts, its total, and the signal-to-noise ratio, the peak over the
 /// total.
-/// @param peak of the sampled signal [unit]
+/// @param peak of the readings, means over the readout interval [unit]
 /// @param unit of peak and noise: "A" or "V"
 std::vector<readout::Metric> noise_metrics(const SampleNoise& noise, double peak,
                                            const std::string& unit);

@@ -64,6 +64,20 @@ TEST(ErrorParts, ASignalToNoiseErrsAsItsCurrent) {
   EXPECT_NEAR(errors.at("signal_to_noise"), errors.at("peak_sampled_current_difference"), 1e-12);
 }
 
+// The current of an open cell is rounding alone, and says nothing of the voltage.
+TEST(ErrorParts, ASignalToNoiseOfAVoltageErrsAsTheVoltage) {
+  Signals base = scaled_signals(1, 1), mesh = base;
+  for (Signals* signals : {&base, &mesh}) {
+    signals->metrics.push_back({"sample_noise", 1e-8, "V"});
+    signals->metrics.push_back({"signal_to_noise", signals == &base ? 1000.0 : 1010.0, "1"});
+  }
+  base.sampled.columns[3].values = {0, 1e-18};
+  mesh.sampled.columns[3].values = {1e-18, 0};
+  const auto errors =
+      combine_errors(base, {{error_parts::mechanics_mesh, &base, &mesh}}, {}).relative;
+  EXPECT_LT(errors.at("signal_to_noise"), 0.02);
+}
+
 TEST(ErrorParts, AddUpToTheError) {
   const Signals base = scaled_signals(1, 1), mesh = scaled_signals(1.02, 1.01),
                 path = scaled_signals(1.022, 1.01);
