@@ -9,6 +9,7 @@
 #include "ionskin/mechanics/engine/kept_path.hpp"
 #include "ionskin/mechanics/engine/stepped_strains.hpp"
 #include "ionskin/mechanics/path/contact_box.hpp"
+#include "ionskin/mechanics/path/contact_reach.hpp"
 #include "ionskin/mechanics/path/expected_steps.hpp"
 #include "ionskin/mechanics/path/find_footprint.hpp"
 #include "ionskin/mechanics/path/path_resolution.hpp"
@@ -205,6 +206,36 @@ void warn_of_unresolved_map(const Case& input, ContactSolution& contact) {
   }
 }
 
+/// Adds a warning where a height map touches at the border of its plan, as at a sharp edge:
+/// pressure peaks there, and cells of one size see less of the peak than the cells under a flat
+/// slider.
+void warn_of_edge_of_map(const Case& input, ContactSolution& contact) {
+  if (input.slider.profile_heights.height.empty()) {
+    return;
+  }
+  const mesh::Footprint& footprint = contact.mesh.footprint();
+  const auto plan = input.slider.plan();
+  ContactReach reach;
+  for (const SteppedInstant& instant : contact.stepped) {
+    if (instant.state) {
+      reach.include({contact.cell_lines_x, contact.cell_lines_y}, instant.state->normal_traction,
+                    1);
+    }
+  }
+  for (std::size_t d = 0; d < 2; ++d) {
+    const bool whole = footprint.half_size[d] >= plan.size[d] / 2 * (1 - 1e-9);
+    if (reach.border[d] && whole && !footprint.sharp(d) && !(d == 1 && covers_width(input))) {
+      contact.warnings.emplace_back(
+          "The height map touches the skin up to the border of its plan, as with a sharp edge. The "
+          "contact's cells are not finer there, as they are under a flat slider: forces may be off "
+          "by some per cent, and by more than their stated errors. Let the heights rise over the "
+          "last cells before the border, or take slider.shape = \"flat\" with slider.pitch and "
+          "slider.roll if the underside is flat.");
+      return;
+    }
+  }
+}
+
 /// Solutions of a slider that never touches the skin.
 std::vector<SteppedSolution> untouched(const std::vector<MotionLeg>& legs, ContactSolution empty,
                                        std::size_t count) {
@@ -256,6 +287,7 @@ std::vector<SteppedSolution> solve_stepped(const Case& input, const mesh::Footpr
     std::ranges::move(warnings, std::back_inserter(contact.warnings));
     warn_of_near_edges(input, *model, contact);
     warn_of_unresolved_map(input, contact);
+    warn_of_edge_of_map(input, contact);
     // Each variant decides for itself, so that no solution depends on the others.
     solutions[i].wider = widened_footprint(input, footprint, contact);
     if (solutions[i].wider) {

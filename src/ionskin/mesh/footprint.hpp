@@ -14,6 +14,10 @@ struct Footprint {
   std::array<double, 2> half_size{}; ///< half sizes along x and y [m]
   /// Width of the rim along x and y [m]: 0 at a sharp edge, `half_size` for a round contact.
   std::array<double, 2> rim{};
+  /// Width along x and y that takes as many elements as a rim [m]; 0: that of the rim itself. A
+  /// slider that tilts touches a wider rectangle than an upright one, in a contact as small: its
+  /// elements are those of the upright slider.
+  std::array<double, 2> resolved{};
 
   /// True if the contact ends at a sharp edge of the slider.
   /// @param direction 0: along x, 1: along y

@@ -13,6 +13,10 @@ namespace {
 /// length further in; with cells as wide as the gap, the cells would decide where.
 constexpr double edge_zone_width = 0.6;
 
+/// Least width that is resolved like a rim, over the rim's width [1]: with a smaller one the cells
+/// of a slider that tilts much would be too many for a step within a millisecond.
+constexpr double least_resolved = 0.5;
+
 struct PresetResolution {
   // Sizes over the characteristic length.
   double edge, footprint_growth, footprint_largest, edge_zone_largest;
@@ -61,7 +65,10 @@ MeshResolution mesh_resolution(const Case& input, const Footprint& footprint) {
   const double rim_elements = static_cast<double>(scaled_count(preset.rim_elements, refinement));
   MeshResolution result;
   for (std::size_t d = 0; d < 2; ++d) {
-    const double in_rim = footprint.rim[d] / rim_elements;
+    const double resolved = std::max(footprint.resolved[d], least_resolved * footprint.rim[d]);
+    const double in_rim =
+        (footprint.resolved[d] > 0 ? std::min(resolved, footprint.rim[d]) : footprint.rim[d]) /
+        rim_elements;
     result.edge_size[d] = footprint.sharp(d)   ? at_sharp_edge
                           : footprint.round(d) ? in_rim
                                                : std::max(in_rim, at_sharp_edge);

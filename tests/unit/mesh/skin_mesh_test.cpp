@@ -2,6 +2,7 @@
 #include "ionskin/mesh/skin_mesh.hpp"
 
 #include "ionskin/base/error.hpp"
+#include "ionskin/mesh/mesh_resolution.hpp"
 
 #include <gtest/gtest.h>
 
@@ -49,6 +50,19 @@ TEST(Footprint, IsExpectedAtTheEdgeOfTheSkinUnderAHeavyLoadAlone) {
   input.slider.size = {1.5e-3, 1.5e-3}; // the slider ends before the skin does
   EXPECT_FALSE(ends_at_skin(input, expected_footprint(input), 1));
   EXPECT_FALSE(ends_at_skin(example(), expected_footprint(example()), 1)); // sharp
+}
+
+TEST(MeshResolution, OfATiltingSliderIsThatOfItsUprightContact) {
+  const Case input = example();
+  Footprint footprint{{0.5e-3, 0.5e-3}, {0.5e-3, 0.5e-3}, {}};
+  const auto size = [&](double resolved) {
+    footprint.resolved = {resolved, resolved};
+    return mesh_resolution(input, footprint).edge_size[0];
+  };
+  const double whole = size(0);
+  EXPECT_DOUBLE_EQ(size(0.35e-3), 0.7 * whole);
+  EXPECT_DOUBLE_EQ(size(0.1e-3), 0.5 * whole); // else the cells of a steep tilt would be too many
+  EXPECT_DOUBLE_EQ(size(0.8e-3), whole);
 }
 
 /// A slider on a drive leaves its path.

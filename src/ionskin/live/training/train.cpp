@@ -20,6 +20,7 @@
 #include "ionskin/live/training/stated_errors.hpp"
 #include "ionskin/live/training/touch_range.hpp"
 #include "ionskin/live/training/training_record.hpp"
+#include "ionskin/mechanics/path/find_footprint.hpp"
 #include "ionskin/mechanics/skin/skin_model.hpp"
 #include "ionskin/results/build_info.hpp"
 
@@ -180,11 +181,33 @@ void set_pose(const Case& input, const TrainingOptions& options, SkinData& data)
   }
 }
 
+/// Footprint of touches that tilt, with contact cells as fine as those of an upright slider under
+/// the same loads. Empty, for the touches themselves to find it, where none tilt.
+std::optional<mesh::Footprint> footprint_of_tilts(const Case& input, const TouchRange& range,
+                                                  const TrainingOptions& options) {
+  if (range.steepest == 0 || input.slider.sharp()) {
+    return std::nullopt;
+  }
+  const auto found = [&](const TouchRange& poses) {
+    Case own = input;
+    own.motion = random_touches(poses, 1, options.seed);
+    if (own.motion.waypoints.front().yaw) {
+      settle_pose(own);
+    }
+    return mechanics::find_footprint(own, own.contact.friction, options.threads).footprint;
+  };
+  TouchRange upright = range;
+  upright.steepest = 0;
+  mesh::Footprint footprint = found(range);
+  footprint.resolved = found(upright).rim;
+  return footprint;
+}
+
 /// Touches at the case's friction, or parts of them at some coefficients of a range.
 std::vector<FullRun> training_runs(const Case& input, const TouchRange& range, const SkinData& data,
                                    const TrainingOptions& options) {
   const std::size_t count = options.friction ? runs_over_friction : 1;
-  std::optional<mesh::Footprint> footprint;
+  std::optional<mesh::Footprint> footprint = footprint_of_tilts(input, range, options);
   std::vector<FullRun> runs;
   for (std::size_t i = 0; i < count; ++i) {
     Case own = input;

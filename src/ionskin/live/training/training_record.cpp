@@ -16,7 +16,7 @@
 namespace ionskin::live {
 namespace {
 
-constexpr std::string_view magic = "ionskin live training, format 1\n";
+constexpr std::string_view magic = "ionskin live training, format 2\n";
 constexpr std::size_t largest_record = 512u << 20u; // [bytes]
 
 /// Visits the entries of the validation, in their order, for reading and writing.
@@ -25,6 +25,7 @@ template <class Archive, class Footprint, class Errors>
 void visit(Archive& archive, Footprint& footprint, std::uint64_t& touches, Errors& errors) {
   archive.entry("half_size", footprint.half_size);
   archive.entry("rim", footprint.rim);
+  archive.entry("resolved", footprint.resolved);
   archive.entry("touches", touches);
   archive.list("errors", errors);
   for (auto& error : errors) {
