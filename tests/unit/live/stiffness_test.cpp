@@ -103,7 +103,7 @@ TEST(LiveStiffness, IsTheDifferenceOfStepsUnderEveryFriction) {
   }
 }
 
-// At rest each cell stands at its friction limit. It sticks if the slider turns back.
+// Each cell stands at its friction limit in such a rest. It sticks if the slider turns back.
 TEST(LiveStiffness, AtRestAfterASlideIsThatOfTheWayBack) {
   for (const char* law : {"coulomb", "anisotropic"}) {
     SCOPED_TRACE(law);
