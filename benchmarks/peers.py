@@ -39,14 +39,14 @@ FOREIGN = {
     "transport": [("FEniCSx", "fenicsx_transport.py", [("20", "1", "2", "1.5", "0.1"), ("40", "1", "2", "1.4", "0.05")])],
 }
 # Runs whose mean is the reference of each part, of --reference. Contact: of two codes with different methods.
-FINE = {"contact": [("GetFEM", "getfem_contact.py", ("0.06", "3")), ("ionskin", None, ("standard", "1"))],
+FINE = {"contact": [("GetFEM", "getfem_contact.py", ("0.03", "3")), ("ionskin", None, ("standard", "2"))],
         "transport": [("ionskin", None, ("fine", "3"))]}
 REFERENCE = {
-    "contact": {"normal force": 0.43518, "shear of the touch": 3.3559e-4, "friction force": 0.13045,
-                "shear of the slide": 4.8169e-4},
+    "contact": {"normal force": 0.43126, "shear of the touch": 3.3271e-4, "friction force": 0.12935,
+                "shear of the slide": 4.7843e-4},
     "transport": {"charge": 9.431565e-07, "current": -1.1926245e-06},
 }
-RESOLVED = {"contact": 2e-3, "transport": 0.0}  # errors below are alike: the two runs of the contact differ by 0.23 %
+RESOLVED = {"contact": 3.5e-3, "transport": 0.0}  # errors below are alike: the two runs of the contact differ by up to 0.7 %
 
 
 def version(code):
