@@ -150,6 +150,7 @@ void add_waypoints(SchemaRows& rows) {
           waypoint.*angle = value.numbers[0];
         }))
         .range = range;
+    rows.back().range_reason = range.upper == tilt_range.upper ? tilt_reason : "";
     rows.back().need = Need::where_known;
   };
   add_angle("roll", tilt_range, &Waypoint::roll);

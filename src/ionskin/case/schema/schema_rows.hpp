@@ -24,6 +24,8 @@ inline constexpr Range extent{1e-6, 10.0, true, true}; ///< lengths of skin and 
 inline constexpr double steepest_tilt = 5 * std::numbers::pi / 180 * (1 + 1e-12);
 /// Range of roll and pitch [rad].
 inline constexpr Range tilt_range{-steepest_tilt, steepest_tilt, true, true};
+inline constexpr const char* tilt_reason =
+    "5 degrees, up to which a tilt is carried as a slope; give a steeper face as a height map";
 inline constexpr Range turn_range{-1e3, 1e3, true, true}; ///< yaw [rad]
 inline constexpr Range film{1e-9, 0.1, true, true};       ///< thickness of a layer [m]
 inline constexpr Range place_on_skin{0.0, 10.0, true,

@@ -69,6 +69,7 @@ void add_slider(SchemaRows& rows) {
                     .type = ValueType::quantity,
                     .dimension = Dimension::angle,
                     .range = range,
+                    .range_reason = range.upper == tilt_range.upper ? tilt_reason : "",
                     .default_value = "\"0 deg\"",
                     .help = help,
                     .source = "the paper's slider stands upright",
