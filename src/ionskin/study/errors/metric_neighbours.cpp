@@ -50,9 +50,10 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 31> signal_o
 }};
 
 /// Texts in the names of metrics and signals that depend on the edges of the contact.
-constexpr std::array<std::string_view, 10> made_at_edges{
-    "first_moment", "p95_shear",    "p99_shear",     "element_max",   "membrane_stress",
-    "nonlinearity", "contact_area", "mean_pressure", "peak_pressure", "stick"};
+constexpr std::array<std::string_view, 11> made_at_edges{
+    "first_moment",    "p95_shear",     "p99_shear",    "element_max",
+    "membrane_stress", "_work",         "nonlinearity", "contact_area",
+    "mean_pressure",   "peak_pressure", "stick"};
 
 struct Neighbours {
   std::string_view metric;
