@@ -14,11 +14,10 @@ from .charts.spans import rows_within, sampled_label, slide_start
 from .page import report_text
 from .reading.sliders import suffix
 
-OPEN = "no current passes between open electrodes"
 
 
 def motion(results):
-    """Figure of the prescribed position of the sliders over time, with the phases of the motion."""
+    """Figure of the position of the sliders over time, with the phases of the motion."""
     signals = results.signals
     if not signals.has("slider_x", "slider_z"):
         return None
@@ -83,7 +82,7 @@ def currents(results):
         return None
     nothing = readout.passes_nothing(results)
     if readout.carries_nothing(results):
-        return OPEN
+        return readout.OPEN
     time = signals["time"]
     noise = ": not above the noise of the solver" if derived.common_is_noise(results) else ""
     panels = [("Electrodes, resolved", current_axis(signals["current_top"], signals["current_bottom"]),
@@ -140,7 +139,7 @@ def join(results):
     if joined is None or not signals.has("current_difference"):
         return None
     if readout.passes_nothing(results):
-        return OPEN
+        return readout.OPEN
     time, width = signals["time"] - start, joined - start
     cells = []
     for title, low, high, words in (("Onset of sliding, first cycle", 0.0, 4 * width, "steady sliding begins"),
@@ -159,7 +158,7 @@ def relaxation(results):
     if not spans or not signals.has("charge_top"):
         return None
     if readout.passes_nothing(results):
-        return OPEN
+        return readout.OPEN
     time, half = signals["time"], (signals["charge_top"] - signals["charge_bottom"]) / 2
     within, detached, length = [], [], 0.0
     for cycle, (colour, look) in cycle_looks(spans):
@@ -206,8 +205,8 @@ FIGURES = [
           "instant at which it can show it; beside it enlarged, one mark per reading. Shaded: its stated error.", reading),
     Entry("model", "Skin and slider", "Before touchdown.", skin.model),
     Entry("plan", "Path from above", "The skin, the way of the slider's centre over it, and the slider where it begins.", skin.plan),
-    Entry("motion", "Motion", "Prescribed motion of the slider. Bands, here and below: pale where slider and skin touch, darker "
-          "while it slides.", motion),
+    Entry("motion", "Motion", "Motion of the slider: its height under a force, and its place on a drive, are results. Bands, here and "
+          "below: pale where slider and skin touch, darker while it slides.", motion),
     Entry("contact", "Contact", report_text.contact_caption, contact.contact_maps),
     Entry("slip", "How the slide begins", "Above, in the slider's frame: when each place slips for good, with the front between what "
           "sticks and what slips at a fifth to four fifths of that time in white, and how far the slider has slipped over it. Below: "

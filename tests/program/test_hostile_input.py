@@ -120,6 +120,19 @@ class HostileInput(ProgramTest):
         self.assertIn("touches no cell", self.answer("check", case))
         self.assertIn("touches no cell", self.answer("run", case, "-o", "out"))
 
+    def test_round_slider_that_never_touches(self):
+        text = QUICK.read_text()
+        begin, end = text.index("[slider]"), text.index("[contact]")
+        for height in ("50 um", "0 um"):
+            motion = '[motion]\nkind = "waypoints"\n' + "".join(
+                f'[[motion.waypoints]]\ntime = "{instant} s"\nposition = ["5 mm", "1 mm"]\nheight = "{z}"\n'
+                for instant, z in ((0, "100 um"), (1, height), (2, "100 um")))
+            case = self.write("sphere.toml", text[:begin] + '[slider]\nshape = "sphere"\nradius = "4 mm"\n' + motion + text[end:])
+            for soft in ((), ("--set", "slider.youngs_modulus=1 MPa", "--set", "slider.poissons_ratio=0.4")):
+                self.assertIn("never touches the skin", self.answer("check", case, *soft))
+                self.assertIn("never touches the skin", self.answer("run", case, "-o", "out", *soft))
+        self.assertIn("never touches the skin", self.answer("sweep", case, "-o", "out", "--over", "contact.friction=0.1,0.2"))
+
     def test_height_map_with_a_small_preload(self):
         case = self.profile_case(RIDGE, "-1 um")
         self.answer("check", case, expect=0)

@@ -136,6 +136,19 @@ class Pages(ProgramTest):
                 self.run_program("run", QUICK, "-o", "out", "--overwrite", *SMALL, *(word for edit in edits for word in ("--set", edit)))
                 self.look(self.folder / "out" / "report.html")
 
+    def test_words_say_what_is_drawn(self):
+        """An open circuit has voltages and no currents; a signal that is zero by construction is not above its error."""
+        case = ("run", QUICK, "-o", "out", "--overwrite", "--progress", "none", "--set", "numerics.mesh_refinement=0.3", "--set",
+                "coupling.law=column-neutral")
+        self.run_program(*case, "--set", "readout.circuit=open")
+        text = (self.folder / "out" / "report.html").read_text()
+        for words, there in (("Voltages are sampled", True), ("Currents are sampled", False), ("no current above rounding", False),
+                             ("Prescribed motion", False)):
+            self.assertEqual(words in text, there, words)
+        said = self.run_program(*case, "--set", "coupling.measure=signed-xz").stdout
+        self.assertIn("An ammeter between the electrodes reads nothing", said.splitlines()[0])
+        self.assertIn("Currents are sampled", (self.folder / "out" / "report.html").read_text())
+
     def test_a_page_that_cannot_be_made_is_a_failure_that_is_seen(self):
         (self.folder / "case.toml").write_text(case_of(pairwise(FACTORS)[0]))
         self.run_case("case.toml", "-o", "out")

@@ -58,10 +58,10 @@ void check_case(const CheckOptions& options, const CaseDocument& document,
   const int threads = thread_count(0);
   if (contact) {
     // The mesh has a say too: it refuses sliders that leave no room for an element at the skin's
-    // edge.
+    // edge. Under a round slider that never touches it would ask for elements without size.
     for (const Case& slider : cases_of_sliders(document.input)) {
-      mesh::SkinMesh{slider};
       mechanics::require_touch(slider);
+      mesh::SkinMesh{slider};
     }
   }
   const std::string shortage = planning::shortage(document.input, threads, footprint);

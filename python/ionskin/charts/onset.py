@@ -4,6 +4,7 @@
 import numpy
 
 from ..analysis import slip
+from . import readout
 from .chart import Axis, Cell, Chart, Curve, Map, Mark, Span, quiet_note
 from .colours import GREEN, PALE, PURPLE
 from .fields import fields_of, mirrored
@@ -31,9 +32,11 @@ def onset(results):
     time = Axis("", "s", -0.04 * span, span)
     stuck = Curve(results.signals["time"] - found.begin, results.signals["stick_share"], marks=True)
     cells = [Cell("Part of the contact that sticks", time, Axis("stuck share", "1", -0.03, 1.05), (stuck,), marks=tuple(marks), height=0.7)]
-    cells += [current_cell(results, found, current, time, marks) for current in slip.CURRENTS]
+    nothing = readout.carries_nothing(results)
+    shown = () if nothing else slip.CURRENTS[readout.passes_nothing(results):]  # without the difference between open electrodes
+    cells += [current_cell(results, found, current, time, marks) for current in shown]
     cells[-1] = cells[-1]._replace(x=time._replace(name="time since the slide began"))
-    return Chart([maps, *([cell] for cell in cells)], (1.0, 1.0))
+    return Chart([maps, *([cell] for cell in cells)], (1.0, 1.0), note=f"Currents are not drawn: {readout.OPEN}." if nothing else "")
 
 
 def draw_maps(file, found):

@@ -16,6 +16,7 @@ from .spans import peak_of
 TAXEL = "current_top_"
 VOLTAGE = "voltage_"  # of a taxel with a circuit of its own
 NO_TAXELS = "the run has no taxels"
+OPEN = "no current passes between open electrodes"
 ROUNDING = "rounding alone makes it"  # the program's reason of a metric without an error
 COLUMNS = 4  # of taxel panels side by side
 MOST_TAXELS = 36  # panels that a page can hold

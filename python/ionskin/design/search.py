@@ -128,8 +128,15 @@ class Design:
         metrics = self.outcomes[number].metrics
         return sum(abs(one.margin(metrics)) if one.equal else max(0.0, -one.margin(metrics)) for one in self.constraints)
 
-    def _merit(self, number, scale) -> float:
-        return self.sign * self.outcomes[number].metrics[self.objective] / scale + 10 * max(0.0, self._missed(number) - TOLERANCE)
+    def _merit(self, number, scale) -> tuple[bool, float]:
+        """Merit by the rule of Deb (2000, doi 10.1016/S0045-7825(99)00389-8): points that meet every constraint
+        come first, then those that miss the least. Hardly any point meets an equality before the search is near
+        its end; until one does, the objective counts beside what is missed."""
+        missed = max(0.0, self._missed(number) - TOLERANCE)
+        objective = self.sign * self.outcomes[number].metrics[self.objective] / scale
+        if missed == 0:
+            return False, objective
+        return True, objective + 10 * missed if any(one.equal for one in self.constraints) else missed
 
     def _leader(self, rows) -> int:
         scale = numpy.std([self.outcomes[number].metrics[self.objective] for number in rows]) or 1.0

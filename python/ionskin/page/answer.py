@@ -33,6 +33,17 @@ def with_error(results, metric, fallback, unit):
     return report_text.value(results, metric) + (f" ({error})" if error else "")
 
 
+def below_error(results, metric):
+    """True if the reported error estimate of a metric is larger than its value."""
+    share = results.summary.get("error_estimate", {}).get(metric)
+    return share is not None and share > 1 and metric not in results.not_converging
+
+
+def nothing_above(peak, unit):
+    """Words for a reading that is nowhere larger than its error estimate."""
+    return f"nothing above its error, which is larger than the peak of {quantity(peak, unit, 3)}"
+
+
 def events(results):
     """Instants [s] of the beginnings and ends of contact and of sliding, with their words, in order of time; [] without a contact."""
     spans = contact_spans(results)
@@ -78,12 +89,16 @@ def of_circuit(results):
         return None
     if table.has("voltage"):
         instant, peak = largest(table, "voltage")
+        if below_error(results, "peak_voltage"):
+            return f"Between the electrodes a voltmeter reads {nothing_above(peak, 'V')}."
         text = f"Between the electrodes a voltmeter reads up to {with_error(results, 'peak_voltage', peak, 'V')}{event(results, instant)}"
         if table.has("current") and not is_open(results):
             text += f", with up to {quantity(largest(table, 'current')[1], 'A', 3)} through what joins them"
         return f"{text}."
     if table.has("current"):
         instant, peak = largest(table, "current")
+        if below_error(results, "peak_amplifier_current"):
+            return f"The amplifier between the electrodes reads {nothing_above(peak, 'A')}."
         return f"The amplifier between the electrodes reads up to {with_error(results, 'peak_amplifier_current', peak, 'A')}{event(results, instant)}."
     return None
 
@@ -131,6 +146,8 @@ def of_current(results):
     instant, peak = largest(sampled, "current_difference")
     if peak == 0:
         return "An ammeter between the electrodes reads nothing: no current flows from one to the other."
+    if below_error(results, "peak_sampled_current_difference"):
+        return f"An ammeter between the electrodes reads {nothing_above(peak, 'A')}{mean_over(results)}."
     return (f"An ammeter between the electrodes reads up to {with_error(results, 'peak_sampled_current_difference', peak, 'A')}"
             f"{event(results, instant, mean=True)}{mean_over(results)}.")
 

@@ -153,7 +153,13 @@ def explore(study):
     """Data of the section with interactive charts; None where nothing was sampled."""
     if "time" not in study.typical.results.sampled:
         return None
-    return {"several": not study.single, "pickers": [choice["name"] for choice in choices(study)], "notes": []}
+    runs = [member.results for member in study.whole.members]
+    currents = any("current_difference" in run.sampled and not carries_nothing(run) for run in runs)
+    voltages = any(run.sampled_circuit is not None and run.sampled_circuit.has("voltage") for run in runs)
+    sampled = [words for drawn, words in ((currents, "Currents are sampled: the charge gained over each readout interval divided by it"),
+                                          (voltages, "Voltages are sampled: the mean over each readout interval")) if drawn]
+    return {"several": not study.single, "pickers": [choice["name"] for choice in choices(study)],
+            "sampled": [f"{words}, shown from the interval's end to that of the next." for words in sampled], "notes": []}
 
 
 def script(study):

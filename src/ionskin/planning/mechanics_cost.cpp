@@ -12,6 +12,7 @@
 #include "ionskin/mechanics/path/contact_box.hpp"
 #include "ionskin/mechanics/path/expected_steps.hpp"
 #include "ionskin/mechanics/path/find_footprint.hpp"
+#include "ionskin/mechanics/path/first_touch.hpp"
 #include "ionskin/mechanics/skin/compliance_form.hpp"
 #include "ionskin/mechanics/skin/skin_reach.hpp"
 #include "ionskin/mechanics/surface/contact_cells.hpp"
@@ -54,8 +55,12 @@ constexpr double row_bytes = 4e5;
 /// Number of contact grids on which the footprint of a round slider is searched.
 constexpr double searched_grids = 4;
 
-/// Mesh for the footprint that a coarse solution is expected to find.
+/// Mesh for the footprint that a coarse solution is expected to find. Throws UserError when a round
+/// slider never touches the skin, for which the mesh would have elements without size.
 mesh::SkinMesh expected_mesh(const Case& input) {
+  if (!input.slider.sharp()) {
+    mechanics::require_touch(input);
+  }
   return {input, mesh::expected_footprint(input)};
 }
 
