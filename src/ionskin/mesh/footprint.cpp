@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ionskin/mesh/footprint.hpp"
 
+#include "ionskin/base/error.hpp"
 #include "ionskin/case/slider_motion.hpp"
 
 #include <algorithm>
@@ -112,6 +113,14 @@ HeaviestLoad heaviest_load(const Case& input) {
     }
   }
   return load;
+}
+
+void require_load(const Case& input) {
+  const HeaviestLoad load = heaviest_load(input);
+  if (load.force <= 0 && load.indentation <= 0) {
+    throw UserError(
+        "the slider never touches the skin\n  = give a waypoint a height below 0 m, or a force");
+  }
 }
 
 Footprint footprint_limit(const Case& input) {

@@ -34,6 +34,8 @@ struct HeaviestLoad {
   double force = 0;       ///< normal, on the full skin [N]
 };
 HeaviestLoad heaviest_load(const Case& input);
+/// Checks that the motion of a case indents the skin or presses on it. Throws UserError otherwise.
+void require_load(const Case& input);
 
 /// Largest possible footprint: the plan of the slider. Unless the slider has sharp edges, its plan
 /// is cut off shortly before the edges of the skin that it comes nearest to on its track.

@@ -13,13 +13,10 @@
 namespace ionskin::mechanics {
 
 void require_touch(const Case& input) {
+  mesh::require_load(input);
   const mesh::HeaviestLoad load = mesh::heaviest_load(input);
   if (load.force > 0) { // presses until cells touch
     return;
-  }
-  if (load.indentation <= 0) {
-    throw UserError(
-        "the slider never touches the skin\n  = give a waypoint a height below 0 m, or a force");
   }
   const Slider& slider = input.slider;
   if (slider.changing.any() || (slider.sharp() && !slider.pose.tilted())) {

@@ -6,7 +6,6 @@
 #include "ionskin/base/text.hpp"
 #include "ionskin/case/reading/read_case.hpp"
 #include "ionskin/case/text/toml_limits.hpp"
-#include "ionskin/mechanics/path/first_touch.hpp"
 #include "ionskin/mesh/skin_mesh.hpp"
 #include "ionskin/study/run/run_folder.hpp"
 
@@ -96,7 +95,7 @@ void read_point(const SweepRequest& request, std::size_t number, SweepPoint& poi
     CaseDocument document = read_point_case(request, point.edits);
     if (document.input.strain.kind == StrainSourceKind::contact) {
       if (!document.input.slider.sharp()) {
-        mechanics::require_touch(document.input);
+        mesh::require_load(document.input);
       }
       mesh::SkinMesh{document.input};
       point.mechanics_hash = mechanics_hash(document.input);
