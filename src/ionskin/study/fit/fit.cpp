@@ -196,28 +196,41 @@ double squares_but_for(const Misfit& misfit, const FitData& data, const std::vec
   return residuals.squaredNorm();
 }
 
-/// Distances below and above the optimum, in the coordinate of a time shift, within which the
-/// residuals grow by no more than noise explains. Linear theory fails where a signal is shorter
-/// than the interval of a row: all shifts in a part of the row then fit equally well, or only those
-/// in a small part of it.
+/// Distances below and above the optimum, in the coordinate of a time shift, within which lie all
+/// shifts whose residuals are larger by no more than noise explains. Linear theory fails where a
+/// signal is shorter than the interval of a row: all shifts in a part of the row then fit equally
+/// well, or only those in small parts of it, which need not be connected.
+/// @param compared shifts that are looked at beside those next to the optimum [s]
 /// @param residual_deviation root mean square of the residuals per degree of freedom [unit of data]
 /// @param quantile of Student's t
 std::array<double, 2> profile(const Misfit& misfit, const FitData& data,
                               const std::vector<double>& optimum, std::size_t shift,
-                              double residual_deviation, double quantile) {
-  constexpr double first = least_shift, ratio = 1.4, step = 1.0 / 64, farthest = 2; // rows
+                              const std::vector<double>& compared, double residual_deviation,
+                              double quantile) {
+  constexpr double ratio = 1.4, step = 1.0 / 64, farthest = 2; // rows
   const double most =
       squares_but_for(misfit, data, optimum, shift) + std::pow(quantile * residual_deviation, 2);
+  std::vector<double> at = optimum;
+  const auto fits = [&](double coordinate) {
+    at[shift] = coordinate;
+    return squares_but_for(misfit, data, at, shift) <= most;
+  };
   std::array<double, 2> distances{};
   for (std::size_t side = 0; side < 2; ++side) {
-    std::vector<double> at = optimum;
-    for (double distance = first; distance <= farthest;
+    for (double distance = least_shift; distance <= farthest;
          distance = std::min(distance * ratio, distance + step)) {
-      at[shift] = optimum[shift] + (side == 0 ? -distance : distance);
-      if (squares_but_for(misfit, data, at, shift) > most) {
+      if (!fits(optimum[shift] + (side == 0 ? -distance : distance))) {
         break;
       }
       distances[side] = distance;
+    }
+  }
+  const double value = misfit.values(optimum)[shift];
+  for (const double other : compared) {
+    const double distance = (other - value) / misfit.scale(shift);
+    double& own = distances[distance < 0 ? 0 : 1];
+    if (std::abs(distance) > own && fits(optimum[shift] + distance)) {
+      own = std::abs(distance);
     }
   }
   return distances;
@@ -277,7 +290,9 @@ FitResult summarise(FitModel& model, const FitData& data, Misfit& misfit,
   result.statistics = fit_statistics(data.values, residuals, *jacobian);
   std::array<double, 2> shifts{}; // distances to the ends of the profile of the time shift
   if (const auto shift = shift_of(model)) {
-    shifts = profile(misfit, data, optimum, *shift, result.statistics.residual_deviation,
+    const auto compared = shifts_to_compare(data, *model.solutions({values}).front(),
+                                            values[*shift], misfit.scale(*shift));
+    shifts = profile(misfit, data, optimum, *shift, compared, result.statistics.residual_deviation,
                      result.statistics.quantile);
     misfit.take_shift_difference(
         std::clamp(std::max(shifts[0], shifts[1]), least_shift, smooth_shift));
