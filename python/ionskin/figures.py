@@ -15,7 +15,6 @@ from .page import report_text
 from .reading.sliders import suffix
 
 
-
 def motion(results):
     """Figure of the position of the sliders over time, with the phases of the motion."""
     signals = results.signals

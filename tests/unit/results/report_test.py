@@ -470,7 +470,7 @@ taxels = {rows = 1, columns = 2}
 
     def test_what_open_taxels_do_not_pass_is_no_figure(self):
         found = dict((entry.name, chart) for entry, chart in charts(self.results("0,0,0,0,1e-3,-4e-3,0,0,0,0")))
-        self.assertEqual(found["relaxation"], figures.OPEN)
+        self.assertEqual(found["relaxation"], readout.OPEN)
         if not isinstance(found["charge"], str):  # the law made net charge
             self.assertNotIn("Difference (top − bottom)/2", [row[0].title for row in found["charge"].rows])
             self.assertNotIn("Difference (top − bottom)/2", [row[0].title for row in found["currents"].rows])

@@ -50,7 +50,8 @@ laws::FrictionResponse LiveContact::friction_about(std::size_t cell, double norm
   const laws::FrictionResponse response = friction_at(cell, normal, state);
   const double own = std::max(own_[3 * cell + 1], own_[3 * cell + 2]);
   const auto [x, y] = slip(cell, state);
-  if (response.sticks || friction_.elastic_slip > 0 ||
+  const bool rests = travel_[0] == 0 && travel_[1] == 0 && turn_ == 0;
+  if (response.sticks || !rests || friction_.elastic_slip > 0 ||
       std::hypot(x, y) > at_rest * own * largest_) {
     return response;
   }
