@@ -324,7 +324,7 @@ class LiveTest(ProgramTest):
         self.assertIn("damaged.live", refused.stderr)
 
     def test_a_generation_that_was_ended_goes_on(self):
-        words = [PROGRAM, "generate", self.trained, "--touches", "20", "--threads", "1"]
+        words = [PROGRAM, "generate", self.trained, "--touches", "40", "--threads", "1"]
         subprocess.run([*words, "-o", self.folder / "undisturbed"], capture_output=True, check=True)
         with subprocess.Popen([*words, "-o", self.folder / "ended"], stdout=subprocess.DEVNULL, stderr=subprocess.PIPE,
                               text=True) as ended:

@@ -121,7 +121,7 @@ class Generation(PackageTest):
         rarest = sum(int((kind == 2).sum()) for kind in touches)
         self.assertEqual(len(chosen(100000)), 3 * rarest)
 
-    def test_a_kind_without_rows_is_told(self):
+    def test_a_kind_without_rows_is_named(self):
         choice = RowChoice(300, 1)
         choice.add(0, numpy.array([KINDS.index("full slip")] * 5 + [KINDS.index("partial slip")], dtype=numpy.uint8))
         self.assertEqual(len(choice.chosen()), 0)

@@ -88,7 +88,7 @@ class Touch(PackageTest):
                 self.assertEqual(len(contact.parts(numpy.isfinite(path.force))), touches)
                 self.assertEqual(any("one row alone" in note for note in path.notes), rows == [260])
 
-    def test_each_row_that_stands_alone_is_told(self):
+    def test_each_row_that_stands_alone_is_reported(self):
         """A row may lift the finger in the middle of a touch, by a force that is no larger than that of the touch."""
         for change, part in (({150: -0.4}, "one row alone has -0.4 N, 1.2 s after the first row"),
                              ({150: 0}, "one row alone has 0 N, 1.2 s after the first row"),
@@ -102,7 +102,7 @@ class Touch(PackageTest):
                 self.assertTrue(any(part in note for note in notes), notes)
         self.assertFalse(any("alone" in note for note in ionskin.motion(self.touch()).notes))
 
-    def test_a_force_at_the_limit_of_its_sensor_is_told(self):
+    def test_a_force_at_the_limit_of_its_sensor_is_reported(self):
         """The flat top says nothing about the noise."""
         cut = numpy.minimum(self.force, 0.3)
         for sign in (1, -1):
@@ -115,7 +115,7 @@ class Touch(PackageTest):
         for force in (self.force, exact):
             self.assertFalse(any("its largest value" in note for note in ionskin.motion(self.touch(force=force)).notes))
 
-    def test_a_touch_that_does_not_end_is_told(self):
+    def test_a_touch_that_does_not_end_is_reported(self):
         told = "the last touch does not end: the last row has 0.1"
         notes = ionskin.motion(self.touch(force=self.force + 0.05 * self.time)).notes
         self.assertTrue(any(told in note for note in notes), notes)

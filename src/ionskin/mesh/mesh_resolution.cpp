@@ -65,10 +65,9 @@ MeshResolution mesh_resolution(const Case& input, const Footprint& footprint) {
   const double rim_elements = static_cast<double>(scaled_count(preset.rim_elements, refinement));
   MeshResolution result;
   for (std::size_t d = 0; d < 2; ++d) {
-    const double resolved = std::max(footprint.resolved[d], least_resolved * footprint.rim[d]);
+    const double rim = footprint.rim[d], resolved = footprint.resolved[d];
     const double in_rim =
-        (footprint.resolved[d] > 0 ? std::min(resolved, footprint.rim[d]) : footprint.rim[d]) /
-        rim_elements;
+        (resolved > 0 ? std::clamp(resolved, least_resolved * rim, rim) : rim) / rim_elements;
     result.edge_size[d] = footprint.sharp(d)   ? at_sharp_edge
                           : footprint.round(d) ? in_rim
                                                : std::max(in_rim, at_sharp_edge);

@@ -13,7 +13,7 @@ from .path import Path
 from .tilt import Tilt
 
 LEVELS, FRAMES = ("auto", "height", "force"), ("skin", "recording", "tool")
-MOST_TOLD = 4  # rows that stand alone
+MOST_NAMED = 4  # rows that stand alone, by their force and time
 LEAD = 0.1  # s before a recording that begins on the skin
 PLACE_DECIMALS = 8  # of positions in m: 1 nm beside the middle of the skin, of rounded quaternions, would double the cost of a run
 
@@ -77,7 +77,7 @@ def motion(recordings, *, columns=(), origin=(0, 0, 0), x_axis=(1, 0, 0), y_axis
             notes.append("the sign of the force is turned: compression counts as positive")
             force, sensed = -force, -sensed
         above, rest = contact.threshold(sensed, share), contact.rest_level(sensed)
-        _tell_spikes(record.sensed.time, sensed, above, notes)
+        _note_spikes(record.sensed.time, sensed, above, notes)
         flat = contact.saturated(sensed)
         if flat.any():
             notes.append(f"the force stays at its largest value, {sensed.max():.4g} N, in {flat.sum()} rows, the first of them "
@@ -100,18 +100,18 @@ def motion(recordings, *, columns=(), origin=(0, 0, 0), x_axis=(1, 0, 0), y_axis
     return Path(time, place, height, force, notes, poses)
 
 
-def _tell_spikes(time, force, above, notes):
+def _note_spikes(time, force, above, notes):
     """Adds a note on the rows of a force [rows] [N] that stand alone; `above` is the threshold of the contact [N]."""
     rows = contact.spikes(force, above)
     if not len(rows):
         return
     if len(rows) == 1:
-        told, cells = f"one row alone has {force[rows[0]]:.4g} N, {time[rows[0]]:.4g} s after the first row", "its cell"
+        note, cells = f"one row alone has {force[rows[0]]:.4g} N, {time[rows[0]]:.4g} s after the first row", "its cell"
     else:
-        told = ", ".join(f"{force[row]:.4g} N at {time[row]:.4g} s" for row in rows[:MOST_TOLD])
-        told = f"{len(rows)} rows, each alone, have {told}{', ...' if len(rows) > MOST_TOLD else ''} after the first row"
+        note = ", ".join(f"{force[row]:.4g} N at {time[row]:.4g} s" for row in rows[:MOST_NAMED])
+        note = f"{len(rows)} rows, each alone, have {note}{', ...' if len(rows) > MOST_NAMED else ''} after the first row"
         cells = "their cells"
-    notes.append(f"{told}, and the others at most {contact.steady(force).max():.4g} N: if the sensor erred, empty {cells} in "
+    notes.append(f"{note}, and the others at most {contact.steady(force).max():.4g} N: if the sensor erred, empty {cells} in "
                  "the file, and convert it again")
 
 
