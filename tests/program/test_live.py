@@ -219,6 +219,29 @@ class LiveTest(ProgramTest):
                 error = numpy.sqrt(((signals[name] - reference) ** 2).mean())
                 self.assertLess(error, share * numpy.abs(reference).max())
         self.steps_an_fmu_with_angles(skin, times[::10], path[::10])
+        self.tilts_under_moments(skin)
+
+    def tilts_under_moments(self, skin):
+        """A ball that is held by moments tilts until it touches where they want the force, and steps as one in that pose."""
+        force, radius = 0.5 * skin.range.force, 4e-3
+        posed = skin.copy()
+        for turn in (skin, posed):
+            turn.reset()
+        self.assertEqual(skin.angles, (0, 0, 0))
+        for i, arms in enumerate([(0, 0), (10e-6, 5e-6), (-15e-6, 5e-6), (0, 0)]):
+            signals = skin.step(0.01 * i, (5e-3, 3e-3), force=force, moments=(arms[0] * force, arms[1] * force), angles=(None, None, 0.001))
+            self.assertEqual(signals.flags, 0)
+            for name, arm in zip(("moment_x", "moment_y"), arms, strict=True):
+                self.assertAlmostEqual(signals[name] / force, arm, delta=1e-6)
+            numpy.testing.assert_allclose(skin.angles[:2], numpy.divide(arms, radius), atol=5e-4)
+            again = posed.step(0.01 * i, (5e-3, 3e-3), force=force, angles=skin.angles)
+            numpy.testing.assert_allclose(again.array, signals.array, rtol=1e-3, atol=1e-12)
+        self.assertTrue(skin.step(1, pose=(5e-3, 3e-3, None, None, None, 0), force=force, moments=(0, 1e-3 * force)).flags
+                        & ionskin.live.OUTSIDE_POSE)
+        with self.assertRaisesRegex(TypeError, "held with a force, not with a height"):
+            skin.step(2, (5e-3, 3e-3), height=0, moments=(0, 0))
+        with self.assertRaisesRegex(ValueError, r"moments: the shape is \(3,\), and must be \(2,\)"):
+            skin.step(2, (5e-3, 3e-3), force=force, moments=(0, 0, 0))
 
     def steps_an_fmu_with_angles(self, skin, times, path):
         """The FMU of a tilted skin takes the angles as inputs: it steps as the skin does, to the last bit."""

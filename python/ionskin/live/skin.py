@@ -173,7 +173,7 @@ class Skin:
 
     def step(self, time: float, position: Sequence[float] | None = None, *, height: float | None = None,
              force: float | None = None, angles: Sequence[float] | None = None,
-             pose: Sequence[float] | None = None) -> Signals:
+             pose: Sequence[float] | None = None, moments: Sequence[float] | None = None) -> Signals:
         """Steps to a time and returns the signals; currents are means over the time since the step before.
 
         time      [s], not before that of the last step
@@ -183,9 +183,12 @@ class Skin:
         angles    roll, pitch and yaw [rad]; None for an upright slider
         pose      (x, y, z, roll, pitch, yaw) instead of position, height and angles; with a force, z is not used and may be
                   None
+        moments   about x and y (M_x, M_y) that are held with a force [N m], such as (0, 0) of a finger on a free hinge: the slider
+                  tilts until the forces on the skin have them about its centre on the undeformed top face. Roll and pitch of
+                  angles or pose are then not used and may be None; `angles` tells what they became.
 
         Raises ValueError for a value that is not a finite number and for a time before the last, TypeError for both or neither
-        of height and force, and for a part of the pose beside it.
+        of height and force, for moments without a force, and for a part of the pose beside it.
         """
         if pose is not None:
             position, height, angles = _parted(pose, position, height, angles, force)
@@ -194,13 +197,27 @@ class Skin:
         require_ascending_times(numpy.reshape(time, 1), self._time)
         place = finite("position", position, (2,))
         value = finite("force" if kind else "height", value, ())
-        angles = finite("angles", (0, 0, 0) if angles is None else angles, (3,))
+        angles = (0, 0, 0) if angles is None else angles
+        if moments is not None:
+            if kind != FORCE:
+                raise TypeError("moments: they are held with a force, not with a height")
+            moments, angles = finite("moments", moments, (2,)), (0, 0, *angles[2:])
+        angles = finite("angles", angles, (3,))
         require_turns("yaw", angles[2])
         signals = numpy.empty(len(self._columns))
-        flags = self._library.ionskin_live_step_posed(self._handle, time, place[0], place[1], pointer(angles), kind, value,
-                                                      pointer(signals))
+        if moments is None:
+            flags = self._library.ionskin_live_step_posed(self._handle, time, *place, pointer(angles), kind, value, pointer(signals))
+        else:
+            flags = self._library.ionskin_live_step_held(self._handle, time, *place, angles[2], value, pointer(moments), pointer(signals))
         self._time, self._stepped = time, True
         return Signals(self._columns, signals, flags)
+
+    @property
+    def angles(self) -> tuple[float, float, float]:
+        """Roll, pitch and yaw that the last step took [rad]; zeros before the first."""
+        values = numpy.empty(3)
+        self._library.ionskin_live_angles(self._handle, pointer(values))
+        return tuple(values.tolist())
 
     def stiffness(self) -> numpy.ndarray:
         """Derivative of the wrench on the skin at the end of the last step with respect to a rigid motion of the slider.

@@ -53,6 +53,14 @@ double place_tolerance(const SkinData& data) {
   return share * smallest;
 }
 
+/// Distance of the farthest corner of the contact cells from the slider's centre [m].
+double reach(const SkinData& data) {
+  const auto along = [](const std::vector<double>& lines) {
+    return std::max(std::abs(lines.front()), std::abs(lines.back()));
+  };
+  return std::hypot(along(data.cell_lines_x), along(data.cell_lines_y));
+}
+
 /// True of motions across the plane of symmetry of a half skin, which knows what is alike on both
 /// halves.
 bool across(std::size_t motion) {
@@ -62,7 +70,7 @@ bool across(std::size_t motion) {
 } // namespace
 
 Skin::Skin(const SkinData& data)
-    : data_(data), place_tolerance_(place_tolerance(data)), contact_(data),
+    : data_(data), reach_(reach(data)), place_tolerance_(place_tolerance(data)), contact_(data),
       regions_(1 + data.taxels.size()), spread_(data) {
   names_ = {"slider_x",           "slider_y",           "slider_z",
             "normal_force",       "tangential_force",   "tangential_force_x",
@@ -87,6 +95,7 @@ Skin::Skin(const SkinData& data)
   charges_ = waves_ + 2 * spread_.waves();
   signals_ = charges_ + outputs;
   state_.resize(signals_ + names_.size());
+  before_.resize(state_.size());
   for (const ChannelMap& channel : data.channels) {
     fields_.emplace_back(channel, data.area.size());
     levels_.resize(std::max(levels_.size(), regions_ * channel.mean.size()));
@@ -157,7 +166,12 @@ void Skin::add_contact(std::span<double> signals) noexcept {
 
 std::uint32_t Skin::step(double time, const std::array<double, 2>& place, const Angles& angles,
                          bool is_force, double value, std::span<double> signals) noexcept {
-  const Pressed pressed = press(time, place, angles, is_force, value, signals);
+  return finish(press(time, place, angles, is_force, value, signals), signals);
+}
+
+/// Second part of a step of this skin alone.
+/// @returns the flags
+std::uint32_t Skin::finish(const Pressed& pressed, std::span<double> signals) noexcept {
   if ((pressed.flags & flag::refused) == 0) {
     if (pressed.touches) {
       const ChannelField::Touch own = touch(pressed);
@@ -174,9 +188,10 @@ ChannelField::Touch Skin::touch(const Pressed& pressed) const noexcept {
   return {pressed.place, std::span(state_).subspan(force_, 3 * data_.area.size())};
 }
 
-/// @param outside becomes true where another pose is taken
-LiveContact::Stance Skin::stance(const Angles& angles, bool first, bool& outside) const noexcept {
-  auto [roll, pitch, yaw] = angles;
+/// @param angles become those that are taken
+/// @param outside becomes true where they are others
+LiveContact::Stance Skin::stance(Angles& angles, bool first, bool& outside) const noexcept {
+  auto& [roll, pitch, yaw] = angles;
   LiveContact::Stance result;
   if (data_.turns_into_itself != 0) {
     result.turn = first ? 0 : yaw - state_[last_yaw];
@@ -185,12 +200,14 @@ LiveContact::Stance Skin::stance(const Angles& angles, bool first, bool& outside
     yaw = 0;
   }
   const double tilt = std::hypot(roll, pitch);
-  if (tilt > (1 + load_rounding) * data_.steepest) {
-    outside = true;
+  if (tilt > data_.steepest) {
+    outside = outside || tilt > (1 + load_rounding) * data_.steepest;
+    roll *= data_.steepest / tilt;
+    pitch *= data_.steepest / tilt;
   }
   if (tilt > 0 && data_.steepest > 0) {
-    const double share = std::min(1.0, data_.steepest / tilt), along_x = -std::tan(share * pitch),
-                 along_y = std::tan(share * roll), c = std::cos(yaw), s = std::sin(yaw);
+    const double along_x = -std::tan(pitch), along_y = std::tan(roll), c = std::cos(yaw),
+                 s = std::sin(yaw);
     result.slope = {c * along_x - s * along_y, s * along_x + c * along_y};
     result.lowest = at_slope(data_.slopes, data_.lowest, result.slope);
   }
@@ -218,7 +235,8 @@ Skin::Pressed Skin::press(double time, const std::array<double, 2>& place, const
     travel[d] = first ? 0 : at[d] - state_[last_x + d];
   }
   bool outside_pose = false;
-  const LiveContact::Stance stands = stance(angles, first, outside_pose);
+  Angles taken = angles;
+  const LiveContact::Stance stands = stance(taken, first, outside_pose);
   const bool fast =
       std::hypot(travel[0], travel[1]) > (1 + margin) * data_.fastest * pressed.time_step + 1e-9 ||
       std::abs(stands.turn) > (1 + margin) * data_.fastest_turn * pressed.time_step + turn_rounding;
@@ -226,7 +244,9 @@ Skin::Pressed Skin::press(double time, const std::array<double, 2>& place, const
   state_[last_time] = time;
   state_[last_x] = at[0];
   state_[last_y] = at[1];
-  state_[last_yaw] = angles[2];
+  state_[last_yaw] = taken[2];
+  state_[last_roll] = taken[0];
+  state_[last_pitch] = taken[1];
   const double trained = is_force ? data_.heaviest_force : data_.deepest_indentation,
                load = std::min(is_force ? value : -value, trained);
   const double left =

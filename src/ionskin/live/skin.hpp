@@ -78,6 +78,19 @@ public:
   /// @param angles roll, pitch and yaw of the slider [rad]
   std::uint32_t step(double time, const std::array<double, 2>& place, const Angles& angles,
                      bool is_force, double value, std::span<double> signals) noexcept;
+  /// Advances the skin with a slider that is held by a force and by two moments, such as a finger
+  /// on a hinge: roll and pitch follow from the moments, docs/model.md (79). The search for them
+  /// starts from the pose of the last step.
+  /// @param yaw of the slider [rad]
+  /// @param force normal force on the whole skin [N], 0 or less for no contact; the tilt of the
+  /// last step then stays
+  /// @param moments about x and y of the forces on the skin, about the slider's centre on the
+  /// undeformed top face [N m]; met to 1e-3 of the force times the reach of the contact cells.
+  /// Where a steeper tilt than trained would be needed, the flag `outside_pose` is set.
+  std::uint32_t step_held(double time, const std::array<double, 2>& place, double yaw, double force,
+                          const std::array<double, 2>& moments, std::span<double> signals) noexcept;
+  /// Roll, pitch and yaw that the last step took [rad].
+  Angles angles() const { return {state_[last_roll], state_[last_pitch], state_[last_yaw]}; }
 
   /// Computes the derivative of the wrench on the whole skin, at the end of the last step, by a
   /// rigid motion of the slider, docs/model.md (80). Of a skin that is modelled as one symmetric
@@ -156,6 +169,8 @@ private:
     assembled_y,
     indentation,
     last_yaw,
+    last_roll,
+    last_pitch,
     singles
   };
 
@@ -163,7 +178,10 @@ private:
   LiveContact::State contact_state() noexcept;
   bool may_be_state(std::span<const double> state) const noexcept;
   bool is_place(double x, double y) const noexcept;
-  LiveContact::Stance stance(const Angles& angles, bool first, bool& outside) const noexcept;
+  LiveContact::Stance stance(Angles& angles, bool first, bool& outside) const noexcept;
+  Pressed press_again(double time, const std::array<double, 2>& place, const Angles& angles,
+                      double force, std::span<double> signals) noexcept;
+  std::uint32_t finish(const Pressed& pressed, std::span<double> signals) noexcept;
   void add_contact(std::span<double> signals) noexcept;
   // Charges from the strain, in skin_charges.cpp.
   template <class IntegrateTo> void set_levels(std::size_t levels, IntegrateTo&& to) noexcept;
@@ -175,10 +193,12 @@ private:
   void set_charge_slopes(const ChannelField& field, std::size_t motion) noexcept;
 
   const SkinData& data_;
+  double reach_;           ///< of the contact cells from the slider's centre [m]
   double place_tolerance_; ///< distance from the trained positions that does not count [m]
   LiveContact contact_;
   std::vector<std::string> names_;
-  std::vector<double> state_;
+  std::vector<double> state_,
+      before_; ///< the second of a step under held moments, at its beginning
   /// Offsets of the parts of the state: cell forces, surface displacements, memory of friction,
   /// states and last drives of the charges, waves, charges of the last step that took time, and
   /// signals of the last step.

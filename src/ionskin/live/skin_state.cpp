@@ -14,6 +14,7 @@ constexpr double wildest = 1e6;
 /// Bound on the memory of friction and on the numbers of the charges in a valid state, in SI units:
 /// small enough that a step cannot overflow.
 constexpr double largest = 1e30;
+constexpr double rounding = 1e-12; // of the steepest tilt
 
 bool all_within(std::span<const double> values, double most) {
   return std::ranges::all_of(values, [=](double value) { return std::abs(value) <= most; });
@@ -68,8 +69,9 @@ bool Skin::may_be_state(std::span<const double> state) const noexcept {
   return state[started] == 1 && std::isfinite(state[last_time]) &&
          is_place(state[last_x], state[last_y]) &&
          is_place(state[assembled_x], state[assembled_y]) && std::isfinite(state[indentation]) &&
-         std::abs(state[last_yaw]) <= most_turned && state[indentation] <= most_length &&
-         all_within(part(force_, surface_), most_force) &&
+         std::abs(state[last_yaw]) <= most_turned &&
+         std::hypot(state[last_roll], state[last_pitch]) <= (1 + rounding) * data_.steepest &&
+         state[indentation] <= most_length && all_within(part(force_, surface_), most_force) &&
          all_within(part(surface_, memory_), most_length) &&
          all_within(part(memory_, signals_), largest) &&
          all_within(state.subspan(signals_), std::numeric_limits<double>::max());

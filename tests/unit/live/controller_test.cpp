@@ -41,6 +41,10 @@ TEST_F(LiveController, TakesNoMemoryInTheLoop) {
     EXPECT_EQ(pressed > 0, i % 10 != 0);
     EXPECT_TRUE(skin.restore(state.data(), state.size()));
     EXPECT_NEAR(skin.step(time, {x, 1e-3}, Force{3})[force], 3, 1e-4);
+    const ionskin_live::Signals& held = skin.step_held(time, {x, 1e-3}, 0, Force{2}, {0, 1});
+    EXPECT_EQ(held.flags, IONSKIN_LIVE_OUTSIDE_POSE) << "it was trained upright";
+    EXPECT_NEAR(held[force], 2, 1e-4);
+    EXPECT_EQ(skin.angles(), (std::array<double, 3>{}));
     EXPECT_EQ(skin.step(time, {NAN, 1e-3}, Force{3}).flags, IONSKIN_LIVE_REFUSED);
   }
   skin.reset();

@@ -145,7 +145,9 @@ TEST_F(LiveSkin, RefusesAStateThatNoStepLeaves) {
     assembled_x,
     assembled_y,
     indentation,
-    last_yaw
+    last_yaw,
+    last_roll,
+    last_pitch
   };
   const std::size_t first_signal = whole.size() - signals.size();
   for (std::size_t at = 0; at < whole.size(); ++at) {
@@ -166,7 +168,7 @@ TEST_F(LiveSkin, RefusesAStateThatNoStepLeaves) {
   refuses(whole, started, 0.5);
   refuses(whole, last_x, 0);
   refuses(whole, assembled_y, 2e-3);
-  refuses(whole, last_yaw + 1, -1e-9); // a cell that pulls
+  refuses(whole, last_pitch + 1, -1e-9); // a cell that pulls
   EXPECT_TRUE(skin.restore(fresh));
 }
 

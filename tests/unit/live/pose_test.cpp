@@ -236,6 +236,53 @@ TEST_F(LivePose, OfManyIsThatOfOneAndTakesNoMemory) {
   EXPECT_EQ(taken, 0u);
 }
 
+TEST_F(LivePose, FollowsFromTheMomentsThatAreHeld) {
+  Skin skin(data), posed(data);
+  const std::size_t moment = signals.size() - 3;
+  const double force = 1, reach = 1e-3;
+  std::vector<double> expected(signals.size());
+  std::size_t taken = 0;
+  for (int i = 0; i < 100; ++i) {
+    const Posed at = posed_at(i);
+    const std::array<double, 2> moments{0.06e-3 * std::sin(0.1 * i), 0.05e-3 * std::cos(0.07 * i)};
+    const std::size_t before = allocations();
+    ASSERT_EQ(skin.step_held(1e-3 * i, at.place, at.angles[2], force, moments, signals), 0u) << i;
+    taken += allocations() - before;
+    EXPECT_NEAR(signals[moment], moments[0], 1e-3 * force * reach) << i;
+    EXPECT_NEAR(signals[moment + 1], moments[1], 1e-3 * force * reach) << i;
+    EXPECT_NEAR(signals[3], force, 1e-5 * force);
+    // The ball touches where its underside is level: at the radius times its tilt.
+    const auto [roll, pitch, yaw] = skin.angles();
+    const double c = std::cos(yaw), s = std::sin(yaw);
+    EXPECT_NEAR(ball_radius * (c * pitch + s * roll), moments[1] / force, 0.02e-3) << i;
+    EXPECT_NEAR(-ball_radius * (s * pitch - c * roll), moments[0] / force, 0.02e-3) << i;
+    // A step in the pose that was found is the same step.
+    ASSERT_EQ(posed.step(1e-3 * i, at.place, skin.angles(), true, force, expected), 0u);
+    for (std::size_t k = 0; k < signals.size(); ++k) {
+      EXPECT_NEAR(signals[k], expected[k], 1e-4 * std::abs(expected[k]) + 1e-12) << i << " " << k;
+    }
+  }
+  EXPECT_EQ(taken, 0u);
+  skin.step_held(0.1, {3e-3, 1e-3}, 0, 0, {0, 0}, signals);
+  EXPECT_EQ(signals[3], 0) << "without a force nothing touches";
+}
+
+TEST_F(LivePose, UnderMomentsThatNeedMoreTiltIsTheSteepest) {
+  Skin skin(data);
+  const std::array<double, 2> place{3e-3, 1e-3};
+  EXPECT_EQ(skin.step_held(0, place, 0, 1, {0, 1e-3}, signals), flag::outside_pose);
+  const auto [roll, pitch, yaw] = skin.angles();
+  EXPECT_NEAR(std::hypot(roll, pitch), ball_tilt, 1e-9);
+  EXPECT_NEAR(pitch, ball_tilt, 1e-3 * ball_tilt);
+  EXPECT_EQ(skin.step_held(0.1, place, 0, 1, {0, 0}, signals), 0u);
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(skin.step_held(0.2, place, 0, 1, {0, nan}, signals), flag::refused);
+  data.steepest = 0;
+  data.slopes = data.lowest = {};
+  Skin upright(data);
+  EXPECT_EQ(upright.step_held(0, place, 0, 1, {0, 5e-5}, signals), flag::outside_pose);
+}
+
 TEST(SlopeTable, IsExactForABallAndForABlock) {
   const std::vector<double> lines = slope_lines(0.08);
   ASSERT_TRUE(is_table_of_slopes(lines));

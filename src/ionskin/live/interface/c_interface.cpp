@@ -76,6 +76,17 @@ uint32_t ionskin_live_step_posed(ionskin_live_skin* skin, double time, double x,
                          kind == IONSKIN_LIVE_FORCE, value, {signals, skin->skin.names().size()});
 }
 
+uint32_t ionskin_live_step_held(ionskin_live_skin* skin, double time, double x, double y,
+                                double yaw, double force, const double moments[2],
+                                double* signals) {
+  return skin->skin.step_held(time, {x, y}, yaw, force, {moments[0], moments[1]},
+                              {signals, skin->skin.names().size()});
+}
+
+void ionskin_live_angles(const ionskin_live_skin* skin, double angles[3]) {
+  std::ranges::copy(skin->skin.angles(), angles);
+}
+
 void ionskin_live_run_posed(ionskin_live_skin* skin, size_t count, const double* times,
                             const double* positions, const double* angles, int kind,
                             const double* values, double* signals, uint32_t* flags) {

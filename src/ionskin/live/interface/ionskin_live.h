@@ -66,6 +66,14 @@ uint32_t ionskin_live_step(ionskin_live_skin* skin, double time, double x, doubl
    the lowest point of the underside. */
 uint32_t ionskin_live_step_posed(ionskin_live_skin* skin, double time, double x, double y,
                                  const double angles[3], int kind, double value, double* signals);
+/* Advances the skin with a slider that is held by a normal force [N] and by moments about x and y
+   [N m]: roll and pitch follow from them, and `ionskin_live_angles` tells them. The moments are
+   those of the forces on the skin, about the slider's centre on the undeformed top face. Where a
+   steeper tilt than trained would be needed, IONSKIN_LIVE_OUTSIDE_POSE is set. */
+uint32_t ionskin_live_step_held(ionskin_live_skin* skin, double time, double x, double y,
+                                double yaw, double force, const double moments[2], double* signals);
+/* Writes roll, pitch and yaw that the last step took [rad]. */
+void ionskin_live_angles(const ionskin_live_skin* skin, double angles[3]);
 /* Makes `count` steps, one after the other, as `ionskin_live_step` does: times [count], positions
    [count][x, y], values [count]; results signals [count][signal_count], flags [count]. */
 void ionskin_live_run(ionskin_live_skin* skin, size_t count, const double* times,
@@ -151,12 +159,12 @@ int ionskin_live_event_error(const ionskin_live_skin* skin, size_t index, const 
 
 /* Draws a random touch such as the skin was validated on, within the trained range: the slider
    waits above the skin, lands, slides and rests in turn, turns back, changes its load, lifts off
-   and waits. Writes waypoints of 7 values, at most IONSKIN_LIVE_TOUCH_ROWS: time from 0 [s], x and y
-   of the slider's centre [m], the load, and roll, pitch and yaw [rad]. All of them change linearly
-   from row to row. `kind` receives how the skin was validated: IONSKIN_LIVE_FORCE, and the load is
-   a normal force on the whole skin [N], 0 without contact; or IONSKIN_LIVE_HEIGHT, and the load is
-   the height of the underside [m]. Returns the number of rows; 0 when out of memory. One seed gives
-   the same touch on every machine. */
+   and waits. Writes waypoints of 7 values, at most IONSKIN_LIVE_TOUCH_ROWS: time from 0 [s], x and
+   y of the slider's centre [m], the load, and roll, pitch and yaw [rad]. All of them change
+   linearly from row to row. `kind` receives how the skin was validated: IONSKIN_LIVE_FORCE, and the
+   load is a normal force on the whole skin [N], 0 without contact; or IONSKIN_LIVE_HEIGHT, and the
+   load is the height of the underside [m]. Returns the number of rows; 0 when out of memory. One
+   seed gives the same touch on every machine. */
 size_t ionskin_live_random_touch(const ionskin_live_skin* skin, uint64_t seed, double* waypoints,
                                  int* kind);
 

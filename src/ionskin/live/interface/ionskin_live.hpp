@@ -98,6 +98,23 @@ public:
     return step(time, position, angles, IONSKIN_LIVE_FORCE, force.value);
   }
 
+  /// Advances the skin with a slider that is held by a force and by moments about x and y, as
+  /// `ionskin_live_step_held` does: roll and pitch follow.
+  /// @param yaw [rad]
+  /// @param moments about x and y [N m]
+  const Signals& step_held(double time, const std::array<double, 2>& position, double yaw,
+                           Force force, const std::array<double, 2>& moments) noexcept {
+    signals_.flags = ionskin_live_step_held(handle_.get(), time, position[0], position[1], yaw,
+                                            force.value, moments.data(), signals_.values.data());
+    return signals_;
+  }
+  /// Roll, pitch and yaw that the last step took [rad].
+  std::array<double, 3> angles() const noexcept {
+    std::array<double, 3> values{};
+    ionskin_live_angles(handle_.get(), values.data());
+    return values;
+  }
+
   /// Computes the derivative of the wrench at the end of the last step by a rigid motion of the
   /// slider, as `ionskin_live_stiffness` does.
   /// @param values receives [6 forces and moments][6 translations and rotations]
