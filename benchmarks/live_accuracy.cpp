@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 
 // Distance of a reduced skin from the full model of its own case on random touches that neither its
-// training nor its validation had, and how many of them keep the errors that its file states:
+// training nor its validation had, how many of them keep the errors that its file states, and which
+// of them has the largest rms error:
 // build/benchmarks/live_accuracy skin.live [--touches 100]
 
 #include "ionskin/base/error.hpp"
@@ -28,8 +29,8 @@ double covered(const std::vector<double>& errors, double stated) {
 }
 
 void print(const std::vector<TouchErrors>& errors, const SkinData& data) {
-  fmt::print("{:<39}{:>9}{:>9}{:>12}{:>12}{:>11}{:>11}\n", "% of the largest value", "rms", "worst",
-             "stated rms", "stated worst", "keep rms", "keep worst");
+  fmt::print("{:<39}{:>9}{:>9}{:>12}{:>12}{:>11}{:>11}{:>7}\n", "% of the largest value", "rms",
+             "worst", "stated rms", "stated worst", "keep rms", "keep worst", "touch");
   for (const TouchErrors& signal : errors) {
     const auto stated = std::ranges::find_if(data.errors, [&](const SignalError& error) {
       return error.name == signal.name && error.event == signal.event;
@@ -42,11 +43,12 @@ void print(const std::vector<TouchErrors>& errors, const SkinData& data) {
       square += rms * rms;
     }
     const double percent = 100 / signal.largest;
-    fmt::print("{:<28}{:<11}{:9.3f}{:9.3f}{:12.3f}{:12.3f}{:9.0f} %{:9.0f} %\n", signal.name,
+    fmt::print("{:<28}{:<11}{:9.3f}{:9.3f}{:12.3f}{:12.3f}{:9.0f} %{:9.0f} %{:7}\n", signal.name,
                signal.event, percent * std::sqrt(square / static_cast<double>(signal.rms.size())),
                percent * *std::ranges::max_element(signal.worst), percent * stated->rms,
                percent * stated->worst, covered(signal.rms, stated->rms),
-               covered(signal.worst, stated->worst));
+               covered(signal.worst, stated->worst),
+               std::ranges::max_element(signal.rms) - signal.rms.begin());
   }
 }
 
@@ -71,6 +73,7 @@ int main(int argc, char** argv) {
     TouchRange range = touch_range(input);
     range.steepest = data.steepest;
     range.fastest_turn = data.fastest_turn;
+    range.any_yaw = turns_underside(data);
     const auto footprint =
         full_run(input, random_touches(range, 1, seed), {}, options).contact.mesh.footprint();
     print(errors_on_touches(data, input, range, touches, seed, footprint, options,

@@ -78,7 +78,7 @@ class Pose(ProgramTest):
         for arguments, problem in (
                 (("live", QUICK, *tilted, "-o", "finger.live"), "a live skin is given the angles with each step"),
                 (("live", QUICK, "--tilt", "6", "-o", "finger.live"), "must be from 0 to 5 degrees"),
-                (("live", QUICK, "--spin", "10", "-o", "finger.live"), "--spin"),
+                (("live", QUICK, "--spin", "10", "-o", "finger.live"), "round them by slider.edge_radius"),
                 (("check", QUICK, "--set", "slider.pitch=6 deg"), "slider.pitch"),
                 (("check", QUICK, "--set", "slider.yaw=6"), "slider.yaw has no unit"),
                 (("check", "turning.toml", "--set", "skin.sides=symmetry"), "can be pitched alone"),

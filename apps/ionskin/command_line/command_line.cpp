@@ -142,8 +142,8 @@ void add_live(CLI::App& app, Command& command) {
           ->type_name("DEG");
   CLI::Option* spin =
       verb->add_option("--spin", options->spin,
-                       "Fastest turn about z to train, of a slider that looks alike from all "
-                       "sides, in degrees a second; none without it")
+                       "Fastest turn about z to train, of a slider without sharp edges, in "
+                       "degrees a second; none without it")
           ->type_name("DEG/S");
   CLI::Option* slider =
       verb->add_option("--slider", options->slider,

@@ -90,7 +90,7 @@ class Skin:
 
     @property
     def turns_into_itself(self) -> bool:
-        """True if the underside looks alike from all sides: such a slider may turn about z."""
+        """True if the underside looks alike from all sides. Then its yaw does not matter, only its turn within a step."""
         return bool(self._pose_range()[2])
 
     def _friction(self) -> numpy.ndarray:

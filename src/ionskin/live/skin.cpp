@@ -193,8 +193,9 @@ ChannelField::Touch Skin::touch(const Pressed& pressed) const noexcept {
 LiveContact::Stance Skin::stance(Angles& angles, bool first, bool& outside) const noexcept {
   auto& [roll, pitch, yaw] = angles;
   LiveContact::Stance result;
-  if (data_.turns_into_itself != 0) {
+  if (data_.turns_into_itself != 0 || turns_underside(data_)) {
     result.turn = first ? 0 : yaw - state_[last_yaw];
+    result.yaw = turns_underside(data_) ? yaw : 0;
   } else {
     outside = yaw != 0;
     yaw = 0;
@@ -209,7 +210,7 @@ LiveContact::Stance Skin::stance(Angles& angles, bool first, bool& outside) cons
     const double along_x = -std::tan(pitch), along_y = std::tan(roll), c = std::cos(yaw),
                  s = std::sin(yaw);
     result.slope = {c * along_x - s * along_y, s * along_x + c * along_y};
-    result.lowest = at_slope(data_.slopes, data_.lowest, result.slope);
+    result.lowest = at_slope(data_.slopes, data_.lowest, {along_x, along_y});
   }
   return result;
 }

@@ -34,7 +34,7 @@ inline constexpr std::uint32_t refused = 16;
 /// Negative force given: the skin cannot pull, and the slider detaches.
 inline constexpr std::uint32_t pulled = 32;
 /// Tilt steeper than trained: the steepest trained one in that direction was used. Also a yaw of a
-/// slider whose underside is not rotationally symmetric about z: no yaw was used.
+/// slider that was trained without turns and does not look alike from all sides: no yaw was used.
 inline constexpr std::uint32_t outside_pose = 64;
 /// All bits together.
 inline constexpr std::uint32_t all = 2 * outside_pose - 1;

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <numbers>
 
 namespace ionskin::live {
 namespace {
@@ -151,6 +152,31 @@ TEST(RandomTouches, OneAloneWaitsStrokesRestsAndWaits) {
             random_touch(pressed, 5).waypoints.back().time);
   EXPECT_NE(random_touch(pressed, 5).waypoints[1].position,
             random_touch(pressed, 6).waypoints[1].position);
+}
+
+TEST(RandomTouches, BeginAtAnyYawWhereTheUndersideTurns) {
+  TouchRange turning = range;
+  turning.fastest_turn = 1;
+  turning.any_yaw = true;
+  const Motion motion = random_touches(turning, 40, 5);
+  double turned = 0, lowest = 10, highest = 0, last = -1;
+  for (std::size_t i = 1; i < motion.waypoints.size(); ++i) {
+    const Waypoint &from = motion.waypoints[i - 1], &to = motion.waypoints[i];
+    if (*from.height < 0 && *to.height < 0) {
+      const double turn = std::abs(*to.yaw - *from.yaw), lasts = to.time - from.time;
+      turned += to.time < landings(motion)[1] ? turn : 0;
+      EXPECT_TRUE(to.time < landings(motion)[1] || turn <= lasts * (1 + 1e-9));
+    } else if (*from.height > 0 && *to.height < 0) { // a landing, at the yaw of the wait before
+      EXPECT_EQ(*to.yaw, *from.yaw);
+      EXPECT_NE(*to.yaw, last);
+      last = *to.yaw;
+      lowest = std::min(lowest, *to.yaw);
+      highest = std::max(highest, *to.yaw);
+    }
+  }
+  EXPECT_NEAR(turned, 2 * std::numbers::pi, 1e-9) << "the first touch goes through all of them";
+  EXPECT_LT(lowest, 1);
+  EXPECT_GT(highest, 5);
 }
 
 TEST(StatedErrors, AreAQuarterMoreThanTheLargestOfAnyTouch) {

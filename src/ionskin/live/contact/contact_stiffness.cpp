@@ -19,7 +19,9 @@ constexpr double at_rest = 1e-5;
 /// [m/m] for translations, [m/rad] for rotations.
 /// @param motion index of the motion, 0 to 5
 /// @param at position of the point, from the slider's centre [m]
-std::array<double, 3> moved(std::size_t motion, const std::array<double, 2>& at) {
+/// @param gap_by_yaw derivative of the gap at the point by the yaw [m/rad]
+std::array<double, 3> moved(std::size_t motion, const std::array<double, 2>& at,
+                            double gap_by_yaw) {
   switch (motion) {
   case 0:
     return {0, 1, 0};
@@ -32,7 +34,7 @@ std::array<double, 3> moved(std::size_t motion, const std::array<double, 2>& at)
   case 4:
     return {at[0], 0, 0};
   default:
-    return {0, -at[1], at[0]};
+    return {-gap_by_yaw, -at[1], at[0]};
   }
 }
 
@@ -83,7 +85,7 @@ double LiveContact::leave_residual(std::span<const std::size_t> touching,
     const laws::FrictionResponse response = friction_about(cell, state.force[at], state);
     const double own = std::max(own_[at + 1], own_[at + 2]);
     for (std::size_t motion = 0; motion < motions; ++motion) {
-      const std::array<double, 3> way = moved(motion, middle_[cell]);
+      const std::array<double, 3> way = moved(motion, middle_[cell], gap_by_yaw_[cell]);
       const double* force = force_by_motion_.data() + motion * size_ + at;
       double* surface = surface_by_motion_.data() + motion * size_ + at;
       const auto trial = times(response.by_trial, force[1] + (way[1] - surface[1]) / own,

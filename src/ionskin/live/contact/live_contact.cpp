@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace ionskin::live {
 namespace {
@@ -31,6 +32,9 @@ constexpr double slipping = 1e-3;
 /// sticks under another load depends on the way there [1].
 constexpr double loaded_at_once = 1.0 / mechanics::PathSteps{}.lift_off;
 
+/// Gap from which a cell lies beyond the underside [m].
+constexpr double beyond_underside = 0.1;
+
 /// Number of values of a cell in the memory of a law with elastic slip: slip along x and y [m],
 /// limit traction [Pa].
 constexpr std::size_t of_elastic_slip = 3;
@@ -47,6 +51,7 @@ std::size_t memory_per_cell(const SkinData& data) {
 LiveContact::LiveContact(const SkinData& data)
     : data_(data), friction_(friction_of(data, data.friction)), size_(3 * data.area.size()),
       memory_size_(memory_per_cell(data) * data.area.size()), gap_(data.gap),
+      upright_gap_(data.gap), gap_by_yaw_(data.gap.size()),
       first_touch_(*std::min_element(data.gap.begin(), data.gap.end())),
       compliance_(data.compliance.modes() > 0 ? size_ * size_ : 0), assembled_(size_), own_(size_),
       before_(size_), amplitude_(data.compliance.modes()), drag_(data.area.size()),
@@ -134,18 +139,39 @@ void LiveContact::add(std::size_t cell, const std::array<double, 3>& force, Stat
   }
 }
 
-/// Sets the gaps of the cells under the underside in a stance, tilted or upright.
-void LiveContact::tilt(const Stance& stance) noexcept {
+/// Sets the gaps of the cells under the upright underside at a yaw, linear between those of the
+/// table. Where the underside ends between two of its yaws, the nearer one decides.
+void LiveContact::turn_underside(double yaw) noexcept {
+  constexpr double full_turn = 2 * std::numbers::pi;
+  const std::size_t cells = gap_.size(), yaws = data_.turned_gap.size() / cells;
+  const double turns = yaw / full_turn,
+               at = (turns - std::floor(turns)) * static_cast<double>(yaws);
+  const auto low = static_cast<std::size_t>(at) % yaws, high = (low + 1) % yaws;
+  const double weight = at - std::floor(at);
+  for (std::size_t cell = 0; cell < cells; ++cell) {
+    const double before = data_.turned_gap[low * cells + cell],
+                 behind = data_.turned_gap[high * cells + cell];
+    const bool both = std::max(before, behind) < beyond_underside;
+    upright_gap_[cell] = both ? std::lerp(before, behind, weight) : weight < 0.5 ? before : behind;
+    gap_by_yaw_[cell] = both ? (behind - before) * static_cast<double>(yaws) / full_turn : 0;
+  }
+}
+
+/// Sets the gaps of the cells under the underside in a stance, docs/model.md (77).
+void LiveContact::pose(const Stance& stance) noexcept {
   const auto& [x, y] = stance.slope;
-  const bool tilted = x != 0 || y != 0;
-  if (tilted || tilted_) {
+  const bool turned = !data_.turned_gap.empty(), tilted = x != 0 || y != 0;
+  if (turned) {
+    turn_underside(stance.yaw);
+  }
+  if (tilted || turned || posed_) {
     first_touch_ = std::numeric_limits<double>::infinity();
     for (std::size_t cell = 0; cell < gap_.size(); ++cell) {
-      gap_[cell] = data_.gap[cell] +
+      gap_[cell] = upright_gap_[cell] +
                    (tilted ? x * middle_[cell][0] + y * middle_[cell][1] - stance.lowest : 0.0);
       first_touch_ = std::min(first_touch_, gap_[cell]);
     }
-    tilted_ = tilted;
+    posed_ = tilted || turned;
   }
 }
 
@@ -217,7 +243,7 @@ void LiveContact::remember(State& state) noexcept {
 double LiveContact::step(double time_step, const std::array<double, 2>& place,
                          const std::array<double, 2>& travel, const Stance& stance,
                          const Load& load, State state) noexcept {
-  tilt(stance);
+  pose(stance);
   const bool moved = !(std::hypot(place[0] - state.assembled_x, place[1] - state.assembled_y) <=
                        assembly_distance);
   if (moved) {

@@ -46,6 +46,9 @@ public:
     /// have the same height at the slider's centre [m].
     double lowest = 0;
     double turn = 0; ///< rotation about z in the step [rad]
+    /// Yaw of an underside that does not look alike from all sides (`turns_underside`); else 0
+    /// [rad].
+    double yaw = 0;
   };
 
   /// Sets up the contact with the friction law of the case.
@@ -101,7 +104,8 @@ public:
   double friction() const { return friction_.coefficient; }
 
 private:
-  void tilt(const Stance& stance) noexcept;
+  void pose(const Stance& stance) noexcept;
+  void turn_underside(double yaw) noexcept;
   int parts_of(const Load& load, double before) const noexcept;
   double advance(const Load& load, State& state) noexcept;
   const float* column(std::size_t at) noexcept;
@@ -135,8 +139,11 @@ private:
   laws::Friction friction_;
   std::size_t size_, memory_size_;
   std::vector<double> gap_; ///< gap of each cell in the stance of the step [m]
-  bool tilted_ = false;     ///< true if `gap_` is that of a tilted underside
-  double first_touch_;      ///< indentation at which the first cell touches: smallest gap [m]
+  bool posed_ = false;      ///< true if `gap_` is that of a tilted or turned underside
+  /// Gap of each cell under the upright underside at the yaw of the step [m], and its derivative by
+  /// the yaw [m/rad].
+  std::vector<double> upright_gap_, gap_by_yaw_;
+  double first_touch_; ///< indentation at which the first cell touches: smallest gap [m]
   std::vector<std::array<double, 2>> middle_; ///< middle of each cell, from the slider's centre [m]
   /// Compliance at the assembled position, of the columns in `assembled_` [column][row] [m/N].
   std::vector<float> compliance_;

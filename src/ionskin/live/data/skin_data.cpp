@@ -100,6 +100,9 @@ template <class Archive, class Data> void visit(Archive& archive, Data& data) {
   archive.entry("steepest", data.steepest);
   archive.entry("fastest_turn", data.fastest_turn);
   archive.entry("turns_into_itself", data.turns_into_itself);
+  if (turns_underside(data)) {
+    archive.entry("turned_gap", data.turned_gap);
+  }
   archive.entry("slopes", data.slopes);
   archive.entry("lowest", data.lowest);
   archive.list("errors", data.errors);
@@ -203,8 +206,12 @@ void check(const Reader& reader, const SkinData& data) {
   reader.require(data.taxel_corners.size() == 4 * data.taxels.size() && data.taxels.size() <= 1000,
                  "taxel_corners");
   reader.require(data.steepest >= 0 && data.steepest < most_tilt && data.fastest_turn >= 0 &&
-                     (data.fastest_turn == 0 || data.turns_into_itself == 1),
+                     data.turns_into_itself <= 1,
                  "steepest");
+  reader.require(turns_underside(data)
+                     ? !data.turned_gap.empty() && data.turned_gap.size() % data.area.size() == 0
+                     : data.turned_gap.empty(),
+                 "turned_gap");
   reader.require(data.steepest == 0
                      ? data.slopes.empty()
                      : is_table_of_slopes(data.slopes) &&

@@ -140,12 +140,20 @@ struct SkinData {
   double fastest_turn = 0; ///< fastest trained rotation about z; 0 for none [rad/s]
   /// 1 if the underside is rotationally symmetric about z, else 0.
   std::uint64_t turns_into_itself = 0;
+  /// Gaps as `gap`, at yaws that are evenly spread over a full turn from 0 on [yaw][cell] [m];
+  /// empty unless `turns_underside`.
+  std::vector<float> turned_gap;
   /// Slopes at which `lowest` is tabulated (`slope_lines`); empty without a trained tilt [1].
   std::vector<double> slopes;
   /// Table of `LiveContact::Stance::lowest` over the slopes [slope along y][slope along x] [m].
   std::vector<double> lowest;
   std::vector<SignalError> errors; ///< errors over whole touches first
 };
+
+/// True if the skin is trained for rotations about z that change the gaps of its contact cells.
+inline bool turns_underside(const SkinData& data) {
+  return data.fastest_turn > 0 && data.turns_into_itself == 0;
+}
 
 /// Friction law of a trained skin, with another coefficient of friction [1]. Throws where no law
 /// has its name or a parameter is unknown.

@@ -117,7 +117,8 @@ size_t ionskin_live_random_touch(const ionskin_live_skin* skin, uint64_t seed, d
                                           by_force ? data.heaviest_force : data.deepest_indentation,
                                           data.fastest,
                                           data.steepest,
-                                          data.fastest_turn};
+                                          data.fastest_turn,
+                                          turns_underside(data)};
     const ionskin::Motion motion = ionskin::live::random_touch(range, seed);
     const size_t rows = std::min<size_t>(motion.waypoints.size(), IONSKIN_LIVE_TOUCH_ROWS);
     for (size_t i = 0; i < rows; ++i) {

@@ -24,8 +24,8 @@ extern "C" {
 #define IONSKIN_LIVE_UNCONVERGED 8u   /* contact residual above 1e-3 */
 #define IONSKIN_LIVE_REFUSED 16u      /* refused: NaN, infinity, an earlier time; nothing changed */
 #define IONSKIN_LIVE_PULLED 32u       /* negative force: the slider detaches */
-/* tilt steeper than trained: the steepest trained one in that direction was used; or yaw of an
-   underside that is not rotationally symmetric about z: no yaw was used */
+/* tilt steeper than trained: the steepest trained one in that direction was used; or yaw of a slider
+   that was trained without turns and does not look alike from all sides: no yaw was used */
 #define IONSKIN_LIVE_OUTSIDE_POSE 64u
 
 /* Kind of load of a step: held height or held normal force. */

@@ -34,7 +34,8 @@ constexpr double shortest_reversal = 0.2;
 /// Probability that a stroke changes the tilt, and that it changes the yaw; and probability that a
 /// stroke stays in place where poses are trained and the touch has another stroke [1].
 constexpr double posing_share = 0.5, in_place_share = 0.3;
-constexpr double tilting = 0.1; ///< duration of a tilt to a side in the first touch [s]
+constexpr double tilting = 0.1;      ///< duration of a tilt to a side in the first touch [s]
+constexpr double quarter_turn = 0.5; ///< duration of a quarter turn there [s]
 /// Numbers of pieces (strokes and rests) of a touch.
 constexpr int fewest_pieces = 2, most_pieces = 4;
 
@@ -104,6 +105,12 @@ public:
         path_.pressed(tilting, high, range_.heaviest);
       }
     }
+    if (range_.any_yaw) {
+      for (int quarter = 1; quarter <= 4; ++quarter) {
+        path_.pose.yaw = quarter * std::numbers::pi / 2;
+        path_.pressed(quarter_turn, high, range_.heaviest);
+      }
+    }
     path_.detached(0.5, high);
   }
 
@@ -112,6 +119,9 @@ public:
     std::array<double, 2> at = place();
     if (range_.steepest > 0) {
       tilt();
+    }
+    if (range_.any_yaw) {
+      path_.pose.yaw = 2 * std::numbers::pi * random_.between(0, 1);
     }
     if (path_.motion.waypoints.empty()) {
       path_.detached(0, at);

@@ -19,6 +19,9 @@ struct TouchRange {
   double fastest = 0;      ///< largest speed along the skin in contact [m/s]
   double steepest = 0;     ///< largest tilt, roll and pitch together [rad]
   double fastest_turn = 0; ///< fastest rotation about z [rad/s]
+  /// True if a touch begins at any yaw, since the slider turns and does not look alike from all
+  /// sides.
+  bool any_yaw = false;
 
   /// True if the slider tilts or rotates about z.
   bool poses() const { return steepest > 0 || fastest_turn > 0; }
@@ -30,8 +33,9 @@ struct TouchRange {
 /// one stroke, and one rest with a load step in it, so that it contains every event of
 /// `touch_events.hpp` if the range has length and the load step is not small. The first touch is
 /// the same for all seeds: it goes through the corners of the range under the heaviest load, and
-/// ends with the steepest tilts to all four sides where tilts are trained, so that no later touch
-/// outgrows the contact cells. Angles change during strokes.
+/// ends with the steepest tilts to all four sides where tilts are trained and with a full turn
+/// where a touch may begin at any yaw, so that no later touch outgrows the contact cells. Angles
+/// change during strokes.
 Motion random_touches(const TouchRange& range, std::size_t count, std::uint64_t seed);
 
 /// Generates the motion of a single touch, drawn as those of `random_touches` behind the first: the

@@ -49,9 +49,13 @@ std::vector<std::vector<double>> contact_samples(const SkinData& data, const Tou
       for (double& slope : stance.slope) {
         slope *= length > steepest ? steepest / length : 1;
       }
-      stance.lowest = at_slope(data.slopes, data.lowest, stance.slope);
+      const double c = std::cos(stance.yaw), s = std::sin(stance.yaw);
+      stance.lowest = at_slope(
+          data.slopes, data.lowest,
+          {c * stance.slope[0] + s * stance.slope[1], c * stance.slope[1] - s * stance.slope[0]});
     }
     stance.turn = turn;
+    stance.yaw += range.any_yaw ? turn : 0;
     contact.step(sample_step, place, {place[0] - at[0], place[1] - at[1]}, stance,
                  {range.is_force, load},
                  {force, surface, memory, indentation, assembled_x, assembled_y});
@@ -93,6 +97,9 @@ std::vector<std::vector<double>> contact_samples(const SkinData& data, const Tou
     pose(true, 1);
     if (data.steepest > 0) {
       stance.slope = slope();
+    }
+    if (range.any_yaw) {
+      stance.yaw = random.between(0, 2 * std::numbers::pi);
     }
     press(at, 0);
     double now = load();

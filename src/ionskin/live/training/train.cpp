@@ -22,6 +22,7 @@
 #include "ionskin/live/training/training_record.hpp"
 #include "ionskin/mechanics/path/find_footprint.hpp"
 #include "ionskin/mechanics/skin/skin_model.hpp"
+#include "ionskin/mechanics/slider/slider_shape.hpp"
 #include "ionskin/results/build_info.hpp"
 
 #include <fmt/format.h>
@@ -42,10 +43,13 @@ namespace {
 
 constexpr std::size_t least_rates = 3, most_rates = 12;
 constexpr std::size_t candidate_rates = 20;
-constexpr std::size_t sampled_states = 600;   // of the contact
+constexpr std::size_t sampled_states = 600; // of the contact
+/// Of the contact under an underside that turns, whose strain differs more from state to state.
+constexpr std::size_t sampled_turned_states = 1800;
 constexpr std::size_t runs_over_friction = 3; // from its lowest to its highest
 constexpr double even_lowest = 1e-4;          // of the deepest of the lowest points
 constexpr double fastest_spin = 100;          // [rad/s]
+constexpr int turned_gaps = 360;              // yaws of the table of gaps, a degree apart
 constexpr double most_friction = 2;           // as in a case
 constexpr std::uint64_t validation_seed_shift = 0x9e3779b97f4a7c15; // apart from every small seed
 
@@ -79,6 +83,14 @@ void set_contact(const std::vector<FullRun>& runs, const mechanics::SkinModel& m
   data.cell_lines_y = model.cells.lines_y;
   data.area = model.cells.area;
   data.gap = model.gap;
+  if (turns_underside(data)) {
+    for (int at = 0; at < turned_gaps; ++at) {
+      const shapes::Pose pose{0, 0, 2 * std::numbers::pi * at / turned_gaps};
+      const std::vector<double> gap = mechanics::mean_gap(
+          runs.front().input.slider, pose, data.cell_lines_x, data.cell_lines_y, {false, false});
+      data.turned_gap.insert(data.turned_gap.end(), gap.begin(), gap.end());
+    }
+  }
   data.compliance = reduce_compliance(model, places);
   data.meshed_share = model.mesh.half_model() ? 0.5 : 1;
   std::vector<const mechanics::ContactState*> states;
@@ -181,11 +193,12 @@ void set_pose(const Case& input, const TrainingOptions& options, SkinData& data)
   }
 }
 
-/// Footprint of touches that tilt, with contact cells as fine as those of an upright slider under
-/// the same loads. Empty, for the touches themselves to find it, where none tilt.
-std::optional<mesh::Footprint> footprint_of_tilts(const Case& input, const TouchRange& range,
+/// Footprint of touches that tilt, or that turn an underside which does not look alike from all
+/// sides, with contact cells as fine as those of an upright slider under the same loads. Empty, for
+/// the touches themselves to find it, where there are none.
+std::optional<mesh::Footprint> footprint_of_poses(const Case& input, const TouchRange& range,
                                                   const TrainingOptions& options) {
-  if (range.steepest == 0 || input.slider.sharp()) {
+  if ((range.steepest == 0 && !range.any_yaw) || input.slider.sharp()) {
     return std::nullopt;
   }
   const auto found = [&](const TouchRange& poses) {
@@ -197,7 +210,8 @@ std::optional<mesh::Footprint> footprint_of_tilts(const Case& input, const Touch
     return mechanics::find_footprint(own, own.contact.friction, options.threads).footprint;
   };
   TouchRange upright = range;
-  upright.steepest = 0;
+  upright.steepest = upright.fastest_turn = 0;
+  upright.any_yaw = false;
   mesh::Footprint footprint = found(range);
   footprint.resolved = found(upright).rim;
   return footprint;
@@ -207,7 +221,7 @@ std::optional<mesh::Footprint> footprint_of_tilts(const Case& input, const Touch
 std::vector<FullRun> training_runs(const Case& input, const TouchRange& range, const SkinData& data,
                                    const TrainingOptions& options) {
   const std::size_t count = options.friction ? runs_over_friction : 1;
-  std::optional<mesh::Footprint> footprint = footprint_of_tilts(input, range, options);
+  std::optional<mesh::Footprint> footprint = footprint_of_poses(input, range, options);
   std::vector<FullRun> runs;
   for (std::size_t i = 0; i < count; ++i) {
     Case own = input;
@@ -242,11 +256,9 @@ void check_poses(const Case& input, const TrainingOptions& options) {
     throw UserError("--tilt, --spin: between planes of symmetry a slider cannot roll or turn\n"
                     "  = set skin.sides = \"free\"");
   }
-  if (options.turn > 0 && !turns_into_itself(input.slider)) {
-    throw UserError("--spin: a live skin lets only a slider turn about z that looks alike from all "
-                    "sides, and this one does not: its contact cells would have to turn with it\n"
-                    "  = take slider.shape = \"sphere\" without slider.size, or run the full "
-                    "model");
+  if (options.turn > 0 && input.slider.sharp()) {
+    throw UserError("--spin: sharp edges that turn do not follow the borders of the contact cells\n"
+                    "  = round them by slider.edge_radius, or run the full model");
   }
 }
 
@@ -290,9 +302,11 @@ TrainingRecord train_model(const Case& input, const TouchRange& range,
   }
   set_contact(runs, *model, places, data);
   set_charges(runs, data);
-  data.channels = reduce_channels(run.input, data, model, places,
-                                  contact_samples(data, range, sampled_states, options.seed),
-                                  options.threads, channels, options.progress);
+  data.channels = reduce_channels(
+      run.input, data, model, places,
+      contact_samples(data, range, range.any_yaw ? sampled_turned_states : sampled_states,
+                      options.seed),
+      options.threads, channels, options.progress);
   return {std::move(data), run.contact.mesh.footprint(), {}};
 }
 
@@ -370,6 +384,7 @@ SkinData train_skin(const Case& input, const TrainingOptions& options) {
   TouchRange range = touch_range(input);
   range.steepest = options.tilt;
   range.fastest_turn = options.turn;
+  range.any_yaw = options.turn > 0 && !turns_into_itself(input.slider);
   TrainingRecord record;
   if (options.resume && std::filesystem::exists(options.record)) {
     record = read_record(options.record, options.identity);
