@@ -111,12 +111,15 @@ def causes(asked: Asked, before: Asked, trained, normal: numpy.ndarray, margin: 
     return 4 * (fast & ~asked.first & (normal > 0)) + 2 * heavy + 32 * pulls
 
 
-def faults(asked: Asked, before: Asked, trained, signals, last, limit) -> dict[str, numpy.ndarray]:
+def faults(asked: Asked, before: Asked, trained, signals, last, earlier, limit, relaxes: bool) -> dict[str, numpy.ndarray]:
     """Masks [environment] of each fault in a step of a `Walk`.
 
-    signals, last  signals of the step and of the one before
-    limit          largest ratio of tangential to normal force
+    signals, last, earlier  signals of the step and of the two before
+    limit                   largest ratio of tangential to normal force
+    relaxes                 true if friction changes at rest, because it depends on the speed
     """
+    def changes(name, scale):
+        return [(new[name] - old[name]) / scale for new, old in ((signals, last), (last, earlier))]
     normal, height, flags = signals["normal_force"], signals["slider_z"], signals.flags
     tangential = numpy.hypot(signals["tangential_force_x"], signals["tangential_force_y"])
     presses = asked.load > 0 if asked.by_force else asked.load < 0
@@ -129,8 +132,10 @@ def faults(asked: Asked, before: Asked, trained, signals, last, limit) -> dict[s
         "pulls": ~(normal >= 0),
         "too much friction": ~(tangential <= limit * normal * (1 + EXACT) + ROUNDING * trained.force),
         "contact lost": asked.held & (last["normal_force"] > 0) & ~(normal > 0),
-        "force not at rest": asked.held & ~(numpy.abs(normal - last["normal_force"]) <= EXACT * trained.force),
-        "height not at rest": asked.held & ~(numpy.abs(height - last["slider_z"]) <= EXACT * trained.indentation)}
+        "not at rest": numpy.zeros(len(normal), dtype=bool), "oscillates": numpy.zeros(len(normal), dtype=bool)}
+    for now, then in (changes("normal_force", trained.force), changes("slider_z", trained.indentation)):
+        result["not at rest"] |= asked.held & (not relaxes) & ~(numpy.abs(now) <= EXACT)
+        result["oscillates"] |= asked.held & before.held & (now * then < 0) & (numpy.minimum(abs(now), abs(then)) > EXACT)
     may, must = (causes(asked, before, trained, normal, margin) for margin in (0, MARGIN))
     for bit, name in FLAGS.items():
         result[f"flag {name} without cause"] = flags & ~may & bit != 0
@@ -209,8 +214,9 @@ def main() -> int:
 
     skin, count, random = Skin(arguments.file), arguments.environments, numpy.random.default_rng(arguments.seed)
     skins, trained, turns = Skins(skin, count, threads=arguments.threads), skin.range, skin.turns_into_itself
-    limit, walk, found = friction_limit(tomllib.loads(skin.case).get("contact", {})), Walk(trained, count, random), Count()
-    times, before, last, tried, steps = numpy.zeros(count), None, None, 0, -(-arguments.steps // count)
+    contact, walk, found = tomllib.loads(skin.case).get("contact", {}), Walk(trained, count, random), Count()
+    limit, relaxes = friction_limit(contact), contact.get("law") in ("stribeck", "viscous")
+    times, before, last, earlier, tried, steps = numpy.zeros(count), None, None, None, 0, -(-arguments.steps // count)
     for step in range(steps):
         reset = walk.chance(0.01 if before else 1)
         skins.reset(reset)
@@ -228,9 +234,10 @@ def main() -> int:
         asked = walk.next(reset, changed)
         times += asked.interval
         signals = skins.step(times, **asked.inputs())
-        last, before = last or signals, before or asked
-        found.add(step, asked, signals, last, faults(asked, before, trained, signals, last, numpy.maximum(limit, skins.friction)))
-        before, last = asked, signals
+        before, last, earlier = before or asked, last or signals, earlier or signals
+        masks = faults(asked, before, trained, signals, last, earlier, numpy.maximum(limit, skins.friction), relaxes)
+        found.add(step, asked, signals, last, masks)
+        before, last, earlier = asked, signals, last
     print(f"{arguments.file}: {steps * count} steps within the range, {tried} beyond")
     print("flags within the range: " + (", ".join(f"{name} {number}" for name, number in found.flags.items() if number) or "none"))
     print("faults: " + (", ".join(f"{name} {number}" for name, number in found.faults.items() if number) or "none"))

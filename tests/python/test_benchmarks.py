@@ -73,8 +73,9 @@ class LiveSteps(unittest.TestCase):
         stepped.flags = numpy.full(2, flags)
         return stepped
 
-    def found(self, asked, signals):
-        masks = live_steps.faults(asked, self.asked(), self.TRAINED, signals, self.signals(), 0.3)
+    def found(self, asked, signals, earlier=None, relaxes=False):
+        masks = live_steps.faults(asked, self.asked(held=earlier is not None), self.TRAINED, signals, self.signals(),
+                                  earlier or self.signals(), 0.3, relaxes)
         return {name for name, mask in masks.items() if mask.all()}
 
     def test_a_step_that_does_as_asked_has_no_fault(self):
@@ -87,8 +88,11 @@ class LiveSteps(unittest.TestCase):
         self.assertEqual(self.found(self.asked(), self.signals(tangential=0.302)), {"too much friction"})
         self.assertEqual(self.found(self.asked(0), self.signals(1e-9, tangential=0)), {"not detached"})
         self.assertEqual(self.found(self.asked(-1e-4, by_force=False), self.signals(height=-1.1e-4)), {"height missed"})
-        self.assertEqual(self.found(self.asked(held=True), self.signals(height=-1.1e-4)), {"height not at rest"})
-        self.assertEqual(self.found(self.asked(-1e-4, by_force=False, held=True), self.signals(1.02)), {"force not at rest"})
+        higher, lower = self.signals(height=-0.9e-4), self.signals(height=-1.1e-4)
+        self.assertEqual(self.found(self.asked(held=True), lower), {"not at rest"})
+        self.assertEqual(self.found(self.asked(held=True), lower, higher, relaxes=True), set())
+        self.assertEqual(self.found(self.asked(held=True), lower, lower, relaxes=True), {"oscillates"})
+        self.assertEqual(self.found(self.asked(-1e-4, by_force=False, held=True), self.signals(1.02)), {"not at rest"})
         self.assertLessEqual({"force missed", "contact lost"}, self.found(self.asked(held=True), self.signals(0, tangential=0)))
         self.assertLessEqual({"pulls", "force missed"}, self.found(self.asked(), self.signals(-1)))
         self.assertLessEqual({"not finite", "force missed", "pulls"}, self.found(self.asked(), self.signals(math.nan)))
