@@ -86,6 +86,39 @@ TEST_P(RandomSteps, BeyondTheHeaviestForceThatOneIsTaken) {
   }
 }
 
+/// Skin with a stiff face: a cell gives as much under the force on a neighbour as under its own.
+SkinData stiff_face() {
+  constexpr std::size_t across = 21, cells = across * across;
+  constexpr double width = 1e-4, softness = 1e-10;
+  SkinData data = sphere_on_many_cells(across);
+  data.heaviest_force = 400;
+  data.stiffness = 1e7;
+  std::ranges::fill(data.compliance.values, 0.0f);
+  for (std::size_t i = 0; i < cells; ++i) {
+    for (std::size_t j = 0; j < cells; ++j) {
+      const auto apart = [&](std::size_t a, std::size_t b) {
+        return width * (static_cast<double>(a) - static_cast<double>(b));
+      };
+      const double r = std::hypot(apart(i % across, j % across), apart(i / across, j / across));
+      for (std::size_t c = 0; c < 3; ++c) {
+        data.compliance.values[(3 * i + c) * 3 * cells + 3 * j + c] =
+            static_cast<float>(softness / std::hypot(r, 2 * width));
+      }
+    }
+  }
+  return data;
+}
+
+TEST(StiffFace, LandsUnderAnyForceWithoutAFlag) {
+  const SkinData data = stiff_face();
+  Skin skin(data);
+  std::vector<double> signals(skin.names().size());
+  for (int i = 1; i <= 20; ++i) { // light contacts, whose cells multiply within a part of the step
+    skin.reset();
+    EXPECT_EQ(skin.step(0, {3e-3, 1e-3}, true, data.heaviest_force * i / 60, signals), 0u) << i;
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(
     Laws, RandomSteps,
     testing::Values(std::pair{std::string("coulomb"), std::vector<double>{}},

@@ -19,6 +19,9 @@ namespace {
 /// larger numbers are for a step that begins without contact.
 constexpr int most_sweeps = 60, most_landing_sweeps = 2000;
 constexpr int most_factors = 8, most_landing_factors = 60;
+/// Number of sweeps for each further Newton step: a light contact may multiply its cells within a
+/// step, and sweeps alone converge slowly once they are found.
+constexpr int sweeps_between = 4;
 /// Lower bound on the normal stiffness in a Newton step, over the stiffness under the heaviest
 /// load: a smaller contact is softer [1].
 constexpr double softest = 0.1;
@@ -191,12 +194,14 @@ double LiveContact::settle(const Load& load, State& state) noexcept {
       break;
     }
     const bool rough = changed.normal_change * scale > tolerance_ || left > tolerance_;
-    if (rough && factors > 0 && correct(load, state)) {
+    const bool further = i % sweeps_between == 0;
+    if (rough && (factors > 0 || further) && correct(load, state)) {
       --factors;
     } else if (left > tolerance_) {
       state.indentation += (load.value - total_) / data_.stiffness;
     }
-    if (frictions > 0 && changed.change * scale > tolerance_ && correct_friction(state)) {
+    if ((frictions > 0 || further) && changed.change * scale > tolerance_ &&
+        correct_friction(state)) {
       --frictions;
     }
   }
