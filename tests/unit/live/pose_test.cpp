@@ -162,7 +162,7 @@ TEST_F(LivePose, IsThatOfTheEngine) {
 TEST_F(LivePose, OfATurningCylinderIsThatOfTheEngine) {
   turn_a_cylinder();
   compare_with_the_engine(1e-3, 0); // it would touch at its end alone
-  // Without its turns it would be another one.
+  // A cylinder that was trained without turns takes no yaw.
   data.fastest_turn = 0;
   data.turned_gap = {};
   Skin upright(data), turned(data);

@@ -44,7 +44,7 @@ namespace {
 constexpr std::size_t least_rates = 3, most_rates = 12;
 constexpr std::size_t candidate_rates = 20;
 constexpr std::size_t sampled_states = 600; // of the contact
-/// Of the contact under an underside that turns, whose strain differs more from state to state.
+/// Number of them under an underside that turns, whose strain differs more from state to state.
 constexpr std::size_t sampled_turned_states = 1800;
 constexpr std::size_t runs_over_friction = 3; // from its lowest to its highest
 constexpr double even_lowest = 1e-4;          // of the deepest of the lowest points
