@@ -119,6 +119,21 @@ TEST(StiffFace, LandsUnderAnyForceWithoutAFlag) {
   }
 }
 
+TEST(StiffFace, TakesAnyHeightWithoutAFlag) {
+  SkinData data = stiff_face();
+  data.heaviest_force = 1e9; // no height is too heavy
+  data.deepest_indentation = 2e-5;
+  Skin skin(data);
+  std::vector<double> signals(skin.names().size());
+  std::mt19937_64 random(1);
+  for (int i = 0; i < 300; ++i) {
+    const double share = static_cast<double>(random() >> 11u) * 0x1p-53;
+    EXPECT_EQ(skin.step(1e-3 * i, {3e-3, 1e-3}, false, -share * data.deepest_indentation, signals),
+              0u)
+        << i;
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(
     Laws, RandomSteps,
     testing::Values(std::pair{std::string("coulomb"), std::vector<double>{}},

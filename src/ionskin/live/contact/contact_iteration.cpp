@@ -15,12 +15,12 @@
 namespace ionskin::live {
 namespace {
 
-/// Largest numbers of sweeps, and of Newton steps for the normal and for the tangential forces. The
-/// larger numbers are for a step that begins without contact.
+/// Largest numbers of sweeps, and of Newton steps for the normal and for the tangential forces
+/// after which the former open cells one by one and the latter become rare. The larger numbers are
+/// for a step that begins without contact.
 constexpr int most_sweeps = 60, most_landing_sweeps = 2000;
 constexpr int most_factors = 8, most_landing_factors = 60;
-/// Number of sweeps for each further Newton step: a light contact may multiply its cells within a
-/// step, and sweeps alone converge slowly once they are found.
+/// Number of sweeps for each further Newton step for the tangential forces.
 constexpr int sweeps_between = 4;
 /// Lower bound on the normal stiffness in a Newton step, over the stiffness under the heaviest
 /// load: a smaller contact is softer [1].
@@ -90,46 +90,74 @@ bool LiveContact::take_normal(std::span<const std::size_t> touching) noexcept {
   return correction_.factor();
 }
 
-/// Newton step for the normal forces of the cells in contact. Tangential forces of slipping cells
-/// follow the normal force; under a given force, the indentation changes too.
-/// @returns false, with the forces unchanged, if nothing touches or the matrix could not be
-/// factorised
-bool LiveContact::correct(const Load& load, State& state) noexcept {
-  const std::span<const std::size_t> touching = find_touching(state);
+/// Solves for the changes of the normal forces of the cells in contact, in `change_`, after which
+/// the gaps of these cells are closed; under a given force, the indentation changes too.
+/// @returns change of the indentation [m]
+double LiveContact::solve_normal(const Load& load, std::span<const std::size_t> touching,
+                                 const State& state) noexcept {
   const std::size_t count = touching.size();
-  if (count == 0 || !(correction_.is_of(touching) || take_normal(touching))) {
-    return false;
-  }
-  const std::span from_gaps = std::span(from_gaps_).first(count),
+  const std::span change = std::span(change_).first(count),
                   from_indentation = std::span(from_indentation_).first(count);
   for (std::size_t j = 0; j < count; ++j) {
     const std::size_t cell = touching[j];
-    from_gaps[j] = static_cast<float>(state.indentation - gap_[cell] - state.surface[3 * cell]);
+    change[j] = static_cast<float>(state.indentation - gap_[cell] - state.surface[3 * cell]);
     from_indentation[j] = 1;
   }
-  correction_.solve(from_gaps);
-  double deeper = 0;
-  if (load.is_force) {
-    correction_.solve(from_indentation);
-    const auto sum = [](std::span<const float> values) {
-      return std::accumulate(values.begin(), values.end(), 0.0);
-    };
-    const double left = load.value - total_ - sum(from_gaps);
-    deeper = left / std::max(sum(from_indentation), softest * data_.stiffness);
-    state.indentation += deeper;
+  correction_.solve(change);
+  if (!load.is_force) {
+    return 0;
   }
+  correction_.solve(from_indentation);
+  const auto sum = [](std::span<const float> values) {
+    return std::accumulate(values.begin(), values.end(), 0.0);
+  };
+  const double left = load.value - total_ - sum(change),
+               deeper = left / std::max(sum(from_indentation), softest * data_.stiffness);
   for (std::size_t j = 0; j < count; ++j) {
-    const std::size_t cell = touching[j], at = 3 * cell;
-    const double own = static_cast<double>(from_gaps[j]) +
-                       deeper * static_cast<double>(from_indentation[j]),
-                 change = std::max(own, -state.force[at]);
-    const std::array<double, 3> force{change, change * drag_[cell][0], change * drag_[cell][1]};
-    for (std::size_t c = 0; c < 3; ++c) {
-      state.force[at + c] += force[c];
-    }
-    add(cell, force, state);
+    change[j] += static_cast<float>(deeper) * from_indentation[j];
   }
-  return true;
+  return deeper;
+}
+
+/// Newton steps for the normal forces of the cells in contact. Tangential forces of slipping cells
+/// follow the normal force; under a given force, the indentation changes too.
+/// @param opening what happens to cells whose forces would become negative
+/// @returns false, with the forces unchanged, if nothing touches or the matrix could not be
+/// factorised
+bool LiveContact::correct(const Load& load, Opening opening, State& state) noexcept {
+  for (bool corrected = false;; corrected = true) {
+    const std::span<const std::size_t> touching = find_touching(state);
+    const std::size_t count = touching.size();
+    if (count == 0 || !(correction_.is_of(touching) || take_normal(touching))) {
+      return corrected;
+    }
+    const double deeper = solve_normal(load, touching, state);
+    double share = 1;
+    std::size_t first = count; // to open
+    for (std::size_t j = 0; j < count && opening == Opening::one_by_one; ++j) {
+      const double force = state.force[3 * touching[j]], change = static_cast<double>(change_[j]);
+      if (force + share * change < 0) {
+        share = -force / change;
+        first = j;
+      }
+    }
+    state.indentation += share * deeper;
+    for (std::size_t j = 0; j < count; ++j) {
+      const std::size_t cell = touching[j], at = 3 * cell;
+      const double least = -state.force[at],
+                   own = std::max(share * static_cast<double>(change_[j]), least),
+                   normal = j == first ? least : own;
+      const std::array<double, 3> force{normal, normal * drag_[cell][0], normal * drag_[cell][1]};
+      for (std::size_t c = 0; c < 3; ++c) {
+        state.force[at + c] += force[c];
+      }
+      add(cell, force, state);
+    }
+    if (first == count) {
+      return true;
+    }
+    add_up(state);
+  }
 }
 
 /// Newton step for the tangential forces, with the normal forces fixed.
@@ -194,13 +222,12 @@ double LiveContact::settle(const Load& load, State& state) noexcept {
       break;
     }
     const bool rough = changed.normal_change * scale > tolerance_ || left > tolerance_;
-    const bool further = i % sweeps_between == 0;
-    if (rough && (factors > 0 || further) && correct(load, state)) {
+    if (rough && correct(load, factors > 0 ? Opening::at_once : Opening::one_by_one, state)) {
       --factors;
     } else if (left > tolerance_) {
       state.indentation += (load.value - total_) / data_.stiffness;
     }
-    if ((frictions > 0 || further) && changed.change * scale > tolerance_ &&
+    if ((frictions > 0 || i % sweeps_between == 0) && changed.change * scale > tolerance_ &&
         correct_friction(state)) {
       --frictions;
     }

@@ -134,7 +134,7 @@ bool LiveContact::stiffness(const State& state, std::span<double, 36> matrix) no
   double missed = leave_residual(touching, begun);
   for (int i = 0; i < most_corrections && missed > solved; ++i) {
     for (std::size_t motion = 0; motion < motions; ++motion) {
-      const std::span change = std::span(from_gaps_).first(touching.size());
+      const std::span change = std::span(change_).first(touching.size());
       for (std::size_t j = 0; j < touching.size(); ++j) {
         change[j] = static_cast<float>(surface_by_motion_[motion * size_ + 3 * touching[j]]);
       }

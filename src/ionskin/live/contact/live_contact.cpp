@@ -56,9 +56,9 @@ LiveContact::LiveContact(const SkinData& data)
       compliance_(data.compliance.modes() > 0 ? size_ * size_ : 0), assembled_(size_), own_(size_),
       before_(size_), amplitude_(data.compliance.modes()), drag_(data.area.size()),
       slips_(data.area.size()), correction_(data.area.size()), tangential_(data.area.size()),
-      touching_(data.area.size()), from_gaps_(data.area.size()),
-      from_indentation_(data.area.size()), memory_before_(memory_size_),
-      force_by_motion_(motions * size_), surface_by_motion_(motions * size_) {
+      touching_(data.area.size()), change_(data.area.size()), from_indentation_(data.area.size()),
+      memory_before_(memory_size_), force_by_motion_(motions * size_),
+      surface_by_motion_(motions * size_) {
   for (std::size_t at = 0; at < (1 + amplitude_.size()) * size_; ++at) {
     const std::size_t mode = at / size_, own = at % size_;
     diagonals_.push_back(data.compliance.values[(mode * size_ + own) * size_ + own]);

@@ -121,10 +121,17 @@ private:
   struct Sweep {
     double change = 0, normal_change = 0;
   };
+  /// Which cells open in a Newton step where their normal forces would become negative: all of
+  /// them, which is fast but may go round in circles; or the first one, at which the step ends and
+  /// another one begins. The latter, like a sweep, always lowers the complementary energy, so that
+  /// it comes to an end (Lawson and Hanson 1974, DOI 10.1137/1.9781611971217, chapter 23).
+  enum class Opening { at_once, one_by_one };
   Sweep sweep(State& state) noexcept;
   std::span<const std::size_t> find_touching(const State& state) noexcept;
   bool take_normal(std::span<const std::size_t> touching) noexcept;
-  bool correct(const Load& load, State& state) noexcept;
+  double solve_normal(const Load& load, std::span<const std::size_t> touching,
+                      const State& state) noexcept;
+  bool correct(const Load& load, Opening opening, State& state) noexcept;
   bool correct_friction(State& state) noexcept;
   void add_up(const State& state) noexcept;
   double settle(const Load& load, State& state) noexcept;
@@ -162,8 +169,8 @@ private:
   double largest_ = 0, total_ = 0; ///< largest normal force of a cell, and sum over all cells [N]
   std::vector<std::size_t> touching_; ///< work array: indices of the cells in contact
   /// Work arrays of the normal Newton step: gaps that remain to be closed [m], then force changes
-  /// by them [N]; and force changes by a unit of indentation [N/m] [cell in contact].
-  std::vector<float> from_gaps_, from_indentation_;
+  /// [N]; and force changes by a unit of indentation [N/m] [cell in contact].
+  std::vector<float> change_, from_indentation_;
   // Last step or its last part, for the derivatives.
   bool stepped_ = false;
   double time_step_ = 0;
