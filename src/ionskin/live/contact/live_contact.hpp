@@ -121,7 +121,7 @@ private:
   struct Sweep {
     double change = 0, normal_change = 0;
   };
-  /// Which cells open in a Newton step where their normal forces would become negative: all of
+  /// Cells that open in a Newton step where their normal forces would become negative: all of
   /// them, which is fast but may go round in circles; or the first one, at which the step ends and
   /// another one begins. The latter, like a sweep, always lowers the complementary energy, so that
   /// it comes to an end (Lawson and Hanson 1974, DOI 10.1137/1.9781611971217, chapter 23).
