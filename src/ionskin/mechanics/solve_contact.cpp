@@ -35,8 +35,8 @@ wider_footprints(const std::vector<SteppedSolution>& solved) {
   std::vector<std::pair<mesh::Footprint, std::vector<std::size_t>>> result;
   for (std::size_t i = 0; i < solved.size(); ++i) {
     if (const auto& wider = solved[i].wider) {
-      const auto same = std::ranges::find_if(
-          result, [&](const auto& group) { return group.first.half_size == wider->half_size; });
+      const auto same =
+          std::ranges::find_if(result, [&](const auto& group) { return group.first == *wider; });
       auto& group =
           same == result.end() ? result.emplace_back(*wider, std::vector<std::size_t>{}) : *same;
       group.second.push_back(i);

@@ -206,9 +206,8 @@ void warn_of_unresolved_map(const Case& input, ContactSolution& contact) {
   }
 }
 
-/// Adds a warning where a height map touches at the border of its plan, as at a sharp edge:
-/// pressure peaks there, and cells of one size see less of the peak than the cells under a flat
-/// slider.
+/// Adds a warning where a height map whose plan is at an angle to the skin touches at the border of
+/// its plan, as at a sharp edge: pressure peaks there, and no cells follow the border.
 void warn_of_edge_of_map(const Case& input, ContactSolution& contact) {
   if (input.slider.profile_heights.height.empty()) {
     return;
@@ -224,13 +223,12 @@ void warn_of_edge_of_map(const Case& input, ContactSolution& contact) {
   }
   for (std::size_t d = 0; d < 2; ++d) {
     const bool whole = footprint.half_size[d] >= plan.size[d] / 2 * (1 - 1e-9);
-    if (reach.border[d] && whole && !footprint.sharp(d) && !(d == 1 && covers_width(input))) {
+    if (reach.border[d] && whole && !footprint.sharp(d)) {
       contact.warnings.emplace_back(
-          "The height map touches the skin up to the border of its plan, as with a sharp edge. The "
-          "contact's cells are not finer there, as they are under a flat slider: forces may be off "
-          "by some per cent, and by more than their stated errors. Let the heights rise over the "
-          "last cells before the border, or take slider.shape = \"flat\" with slider.pitch and "
-          "slider.roll if the underside is flat.");
+          "The height map touches the skin up to the border of its plan, as with a sharp edge, and "
+          "slider.yaw turns this border away from the rows of contact cells: forces may be off by "
+          "some per cent, and by more than their stated errors. Let the heights rise over the last "
+          "cells before the border, or take a yaw of a multiple of 90 degrees.");
       return;
     }
   }

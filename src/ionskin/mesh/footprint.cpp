@@ -17,6 +17,7 @@ constexpr double allowance = 1.15;
 /// Share of the room between slider and edge of the skin that is left to the mesh outside the
 /// footprint [1].
 constexpr double outside_share = 0.1;
+constexpr double rounding = 1 - 1e-9;
 
 double plane_modulus(const Layer& layer) {
   const double nu = layer.material.poissons_ratio;
@@ -138,11 +139,15 @@ Footprint footprint_limit(const Case& input) {
 }
 
 bool ends_at_skin(const Case& input, const Footprint& footprint, std::size_t direction) {
-  constexpr double rounding = 1 - 1e-9;
   const Footprint limit = footprint_limit(input);
   return !footprint.sharp(direction) &&
          footprint.rim[direction] >= limit.rim[direction] * rounding &&
          limit.half_size[direction] < input.slider.plan().size[direction] / 2 * rounding;
+}
+
+bool ends_at_plan(const Case& input, const Footprint& footprint, std::size_t direction) {
+  return footprint.round(direction) && input.slider.underside()->along_axes() &&
+         footprint.half_size[direction] >= input.slider.plan().size[direction] / 2 * rounding;
 }
 
 Footprint largest_footprint(const Case& input) {

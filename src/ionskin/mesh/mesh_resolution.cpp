@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace ionskin::mesh {
 namespace {
@@ -65,15 +66,19 @@ MeshResolution mesh_resolution(const Case& input, const Footprint& footprint) {
   const double rim_elements = static_cast<double>(scaled_count(preset.rim_elements, refinement));
   MeshResolution result;
   for (std::size_t d = 0; d < 2; ++d) {
-    const double rim = footprint.rim[d], resolved = footprint.resolved[d];
+    const bool sharp = footprint.sharp(d);
+    const double rim = sharp ? footprint.half_size[d] : footprint.rim[d],
+                 resolved = footprint.resolved[d];
     const double in_rim =
         (resolved > 0 ? std::clamp(resolved, least_resolved * rim, rim) : rim) / rim_elements;
-    result.edge_size[d] = footprint.sharp(d)   ? at_sharp_edge
+    // Under a flat underside only the edge ends the contact.
+    const double most = sharp && resolved > 0 ? in_rim : std::numeric_limits<double>::infinity();
+    result.edge_size[d] = sharp                ? at_sharp_edge
                           : footprint.round(d) ? in_rim
                                                : std::max(in_rim, at_sharp_edge);
-    result.footprint_largest[d] = preset.footprint_largest * length(d) / refinement;
+    result.footprint_largest[d] = std::min(most, preset.footprint_largest * length(d) / refinement);
     result.edge_zone[d] = {edge_zone_width * length(d),
-                           preset.edge_zone_largest * length(d) / refinement};
+                           std::min(most, preset.edge_zone_largest * length(d) / refinement)};
   }
   result.footprint_growth = std::pow(preset.footprint_growth, 1 / refinement);
   result.outer_growth = std::pow(preset.outer_growth, 1 / refinement);

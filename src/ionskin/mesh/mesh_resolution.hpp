@@ -34,9 +34,10 @@ struct MeshResolution {
 
 /// Resolution of the mesh of a case. Sizes at sharp edges are proportional to the smaller of the
 /// skin's thickness and a quarter of the footprint's smaller side, because the strain varies over
-/// these lengths there. In the rim of a round contact sizes are fractions of the rim's width. In
-/// the rim around a flat part they are no smaller than at a sharp edge; a narrower rim is then not
-/// distinguished from a sharp edge.
+/// these lengths there. In the rim of a round contact sizes are fractions of the rim's width, and
+/// so are the largest sizes where such a contact ends at a sharp edge, too. In the rim around a
+/// flat part they are no smaller than at a sharp edge; a narrower rim is then not distinguished
+/// from a sharp edge.
 MeshResolution mesh_resolution(const Case& input, const Footprint& footprint);
 
 /// Number of elements through the thickness of the core. It is even, so that no element lies across

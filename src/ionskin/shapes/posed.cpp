@@ -29,10 +29,6 @@ double felt_yaw(const Shape& body, const Plan& plan, const Pose& pose) {
   return body.turns_into_itself(plan) && !pose.tilted() ? 0.0 : pose.yaw;
 }
 
-bool along_axes(const std::array<double, 2>& axis) {
-  return axis[0] == 0 || axis[1] == 0;
-}
-
 } // namespace
 
 std::array<double, 2> posed_size(const Shape& body, const Plan& plan, const Pose& pose,
@@ -82,13 +78,17 @@ double Posed::lowest(const Plan&) const {
                                           : body_->lowest_on_slope(plan_, slope_);
 }
 
+bool Posed::along_axes() const {
+  return (x_axis_[0] == 0 || x_axis_[1] == 0) && !changing_.yaw;
+}
+
 bool Posed::sharp() const {
-  return body_->sharp() && along_axes(x_axis_) && !changing_.yaw;
+  return body_->sharp() && along_axes();
 }
 
 std::array<double, 2> Posed::flat_half_size(const Plan&) const {
   std::array<double, 2> result{};
-  if (!along_axes(x_axis_) || changing_.yaw) {
+  if (!along_axes()) {
     return result;
   }
   const std::array<double, 2> own = body_->flat_half_size(plan_);
@@ -101,7 +101,7 @@ std::array<double, 2> Posed::flat_half_size(const Plan&) const {
 }
 
 std::array<bool, 2> Posed::symmetric(const Plan&) const {
-  if (!along_axes(x_axis_) || spins_) { // friction of a turning slider is not symmetric
+  if (!along_axes() || spins_) { // friction of a turning slider is not symmetric
     return {false, false};
   }
   const std::array<bool, 2> own = body_->symmetric(plan_);
@@ -111,7 +111,7 @@ std::array<bool, 2> Posed::symmetric(const Plan&) const {
 }
 
 double Posed::border(const Plan& plan, const Pressing& pressing, std::size_t direction) const {
-  if (even() && along_axes(x_axis_) && !changing_.yaw) {
+  if (even() && along_axes()) {
     Pressing own = pressing;
     own.length = x_axis_[0] == 0 ? plan_.size[1] : pressing.length;
     return body_->border(plan_, own, own_direction(direction));

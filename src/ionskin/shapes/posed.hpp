@@ -31,6 +31,7 @@ public:
   std::array<double, 2> flat_half_size(const Plan& plan) const override;
   std::array<bool, 2> symmetric(const Plan& plan) const override;
   double border(const Plan& plan, const Pressing& pressing, std::size_t direction) const override;
+  bool along_axes() const override;
   std::optional<std::array<double, 2>> whole_plan() const override { return body_->whole_plan(); }
   std::vector<Misfit> misfits(const Plan&) const override { return body_->misfits(plan_); }
 

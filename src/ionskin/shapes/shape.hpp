@@ -90,6 +90,8 @@ public:
   /// touches at once [m], without friction; infinity where only the plan bounds it.
   virtual double border(const Plan& plan, const Pressing& pressing,
                         std::size_t direction) const = 0;
+  /// True if the sides of the plan are along x and y in every pose.
+  virtual bool along_axes() const { return true; }
   /// True if the underside is a body of revolution about z that its plan does not cut, so that a
   /// turn about z does not change it.
   virtual bool turns_into_itself(const Plan&) const { return false; }

@@ -386,6 +386,17 @@ TEST(SolveContact, AContactAtTheBorderWidensItsOwnMeshOnly) {
   }
 }
 
+TEST(SolveContact, AFlatHeightMapIsAFlatSlider) {
+  Case input = small_case();
+  input.motion.stroke = 0;
+  const double force = touchdown(solve(input)).normal_force;
+  input.slider.shape = "profile";
+  input.slider.profile_heights = {{-0.5e-3, 0.5e-3}, {-0.4e-3, 0.4e-3}, {0, 0, 0, 0}};
+  const ContactSolution map = solve(input);
+  EXPECT_NEAR(touchdown(map).normal_force, force, 5e-3 * force);
+  EXPECT_TRUE(map.warnings.empty());
+}
+
 TEST(SolveContact, WarnsOfAHeightMapFinerThanItsCells) {
   Case input = small_case();
   input.slider.shape = "profile";

@@ -65,6 +65,29 @@ TEST(MeshResolution, OfATiltingSliderIsThatOfItsUprightContact) {
   EXPECT_DOUBLE_EQ(size(0.8e-3), whole);
 }
 
+TEST(MeshResolution, OfARoundContactThatEndsSharplyIsFineThroughout) {
+  const Case input = example();
+  const Footprint flat = largest_footprint(input);
+  Footprint round = flat;
+  round.rim = round.half_size;
+  Footprint both = round;
+  for (const std::size_t d : {0, 1}) {
+    both.end_sharply(d);
+  }
+  const MeshResolution edges = mesh_resolution(input, flat), rim = mesh_resolution(input, round),
+                       found = mesh_resolution(input, both);
+  EXPECT_EQ(found.edge_size, edges.edge_size);
+  EXPECT_EQ(found.footprint_largest[0], rim.edge_size[0]);
+  EXPECT_LT(found.footprint_largest[0], edges.footprint_largest[0]);
+  const std::vector<double> lines = SkinMesh(input, both).footprint_lines_x();
+  double widest = 0;
+  for (std::size_t i = 1; i < lines.size(); ++i) {
+    widest = std::max(widest, lines[i] - lines[i - 1]);
+  }
+  EXPECT_LE(widest, rim.edge_size[0]);
+  EXPECT_LE(lines[1] - lines[0], edges.edge_size[0]);
+}
+
 /// A slider on a drive leaves its path.
 TEST(SkinMesh, LinesAscendWhereverTheSliderSwings) {
   const SkinMesh mesh(example());

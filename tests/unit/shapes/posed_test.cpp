@@ -85,6 +85,14 @@ TEST(Posed, ATiltedSphereTouchesBesideItsCentre) {
             plan.size);
 }
 
+TEST(Posed, SidesAreAlongTheAxesAtQuarterTurnsOnly) {
+  const Plan plan{{2e-3, 1e-3}, no_heights};
+  EXPECT_TRUE(shape("flat", {})->along_axes());
+  EXPECT_TRUE(posed("flat", {}, plan, {0.01, 0.02, pi / 2}).along_axes());
+  EXPECT_FALSE(posed("flat", {}, plan, {0, 0, 0.3}).along_axes());
+  EXPECT_FALSE(posed("flat", {}, plan, {}, {.yaw = true}).along_axes());
+}
+
 TEST(Posed, TheLowestOfATiltedMapIsExact) {
   const HeightMap map{{-1e-3, 0.3e-3, 1e-3}, {-1e-3, 1e-3}, {5e-6, 0, 5e-6, 5e-6, 1e-6, 5e-6}};
   const Plan plan{{2e-3, 2e-3}, map};

@@ -213,7 +213,10 @@ std::optional<mesh::Footprint> footprint_of_poses(const Case& input, const Touch
   upright.steepest = upright.fastest_turn = 0;
   upright.any_yaw = false;
   mesh::Footprint footprint = found(range);
-  footprint.resolved = found(upright).rim;
+  const mesh::Footprint narrower = found(upright);
+  for (std::size_t d = 0; d < 2; ++d) {
+    footprint.resolved[d] = narrower.sharp(d) ? narrower.resolved[d] : narrower.rim[d];
+  }
   return footprint;
 }
 

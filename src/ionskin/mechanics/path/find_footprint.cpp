@@ -112,6 +112,8 @@ mesh::Footprint footprint_at(const Case& input, double friction, int threads,
                 (++growths[d] > many_growths ? fast_growth : growth) * footprint.rim[d], limit);
       } else if (reach.border[d] && mesh::ends_at_skin(input, footprint, d)) {
         refuse_edge(d, limit);
+      } else if (reach.border[d] && mesh::ends_at_plan(input, footprint, d)) {
+        footprint.end_sharply(d);
       } else if (trial_margin * rim[d] <= too_narrow[d]) {
         rim[d] = footprint.rim[d] / margin;
       } else if (rim[d] < least_fill * footprint.rim[d]) {
@@ -172,15 +174,19 @@ std::optional<mesh::Footprint> widened_footprint(const Case& input,
                     1);
     }
     for (std::size_t d = 0; d < 2; ++d) {
-      if (reach.border[d] && !footprint.sharp(d)) {
+      if (reach.border[d] && !wider.sharp(d)) {
         if (mesh::ends_at_skin(input, footprint, d)) {
           refuse_edge(d, limit);
         }
-        set_rim(wider, d, growth * footprint.rim[d], limit);
+        if (mesh::ends_at_plan(input, footprint, d)) {
+          wider.end_sharply(d);
+        } else {
+          set_rim(wider, d, growth * footprint.rim[d], limit);
+        }
       }
     }
   }
-  return wider.half_size == footprint.half_size ? std::nullopt : std::optional(wider);
+  return wider == footprint ? std::nullopt : std::optional(wider);
 }
 
 } // namespace ionskin::mechanics

@@ -31,18 +31,6 @@ bool is_of_onset(const std::string& metric) {
          metric.starts_with("full_slip_") || metric.starts_with("precursor_");
 }
 
-/// True if the slider has an edge around which the skin bends. A slider that covers the width of a
-/// skin between symmetry planes has none along y.
-bool has_sharp_edge(const Case& input) {
-  const Slider& slider = input.slider;
-  const auto flat = slider.flat_half_size();
-  const auto ends_sharply = [&](std::size_t direction) {
-    return flat[direction] > 0 && flat[direction] == slider.plan().size[direction] / 2;
-  };
-  return input.strain.kind == StrainSourceKind::contact &&
-         (ends_sharply(0) || (ends_sharply(1) && !covers_width(input)));
-}
-
 /// True if the largest magnitude stands in one row: the rows on both sides hold less than half of
 /// it, so that it is the mean of a spike over one time step.
 bool is_single_step(const std::vector<double>& current) {
@@ -60,7 +48,8 @@ bool is_single_step(const std::vector<double>& current) {
 
 } // namespace
 
-std::map<std::string, std::string> not_converging(const Case& input, const Signals& signals,
+std::map<std::string, std::string> not_converging(const MechanicsRecord& mechanics,
+                                                  const Signals& signals,
                                                   const std::map<std::string, double>& stated) {
   std::map<std::string, std::string> reasons;
   const auto mark = [&](const std::string& name, const std::string& reason) {
@@ -68,14 +57,14 @@ std::map<std::string, std::string> not_converging(const Case& input, const Signa
       reasons[name] = reason;
     }
   };
-  const std::vector<Case> sliders = cases_of_sliders(input);
-  const bool any_sharp = std::ranges::any_of(sliders, has_sharp_edge);
-  for (std::size_t i = 0; i < sliders.size(); ++i) {
+  const bool any_sharp = mechanics.sharp_edge ||
+                         std::ranges::any_of(mechanics.further_sliders, &SliderRecord::sharp_edge);
+  for (std::size_t i = 0; i <= mechanics.further_sliders.size(); ++i) {
     for (const char* extreme : extremes) {
       const std::string name = extreme + readout::slider_suffix(i);
       const auto error = stated.find(name);
       // Metrics without a suffix, with few exceptions, are those of the whole skin.
-      if (i == 0 ? any_sharp : has_sharp_edge(sliders[i])) {
+      if (i == 0 ? any_sharp : mechanics.further_sliders[i - 1].sharp_edge) {
         mark(name, "extreme under a sharp edge, where finer meshes raise stress and strain");
       } else if (error != stated.end() && error->second > most_of_extreme) {
         mark(name,

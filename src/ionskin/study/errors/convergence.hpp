@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "ionskin/case/case.hpp"
 #include "ionskin/study/metrics/read_out.hpp"
+#include "ionskin/study/store/mechanics_record.hpp"
 
 #include <map>
 #include <string>
@@ -15,7 +15,8 @@ namespace ionskin::study {
 /// current whose spike is shorter than one time step or whose error is larger than the peak itself.
 /// @param stated reported relative errors by metric [1]
 /// @returns the reason by name of the metric
-std::map<std::string, std::string> not_converging(const Case& input, const Signals& signals,
+std::map<std::string, std::string> not_converging(const MechanicsRecord& mechanics,
+                                                  const Signals& signals,
                                                   const std::map<std::string, double>& stated);
 
 } // namespace ionskin::study

@@ -260,7 +260,7 @@ ErrorEstimate estimate_errors(const Case& input, const MechanicsRecord& mechanic
                            .relaxation_time),
       imposed_errors(input, base)};
   ErrorEstimate estimate = combine_errors(base, pairs_of(all_pairs(mechanics), results), floors);
-  estimate.not_converging = not_converging(input, signals, estimate.relative);
+  estimate.not_converging = not_converging(mechanics, signals, estimate.relative);
   return estimate;
 }
 
@@ -318,7 +318,7 @@ ErrorEstimate estimate_mechanics_errors(const Case& input, const MechanicsRecord
                                           {.path = path_floor(mechanics),
                                            .cells = least_errors(input, mechanics),
                                            .imposed = imposed_errors(input, signals)});
-  estimate.not_converging = not_converging(input, signals, estimate.relative);
+  estimate.not_converging = not_converging(mechanics, signals, estimate.relative);
   return estimate;
 }
 

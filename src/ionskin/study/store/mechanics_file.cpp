@@ -94,6 +94,7 @@ void write_slider_path(results::Hdf5File& file, const std::string& root,
   file.set_attribute(root, "worst_equilibrium_residual", record.worst_equilibrium_residual);
   file.set_attribute(root, "worst_complementarity_residual", record.worst_complementarity_residual);
   file.set_attribute(root, "contact_solves", record.contact_solves);
+  file.set_attribute(root, "sharp_edge", record.sharp_edge ? 1 : 0);
 }
 
 /// Writes the record of a run or of a coarser solution, without its strain history, below the group
@@ -169,6 +170,7 @@ SliderRecord read_slider_path(const results::ForeignHdf5File& file, const std::s
   record.worst_equilibrium_residual = number("worst_equilibrium_residual");
   record.worst_complementarity_residual = number("worst_complementarity_residual");
   record.contact_solves = static_cast<int>(std::clamp(number("contact_solves"), 0.0, most_solves));
+  record.sharp_edge = number("sharp_edge") != 0;
   return record;
 }
 

@@ -65,14 +65,17 @@ std::vector<readout::Metric> contact_metrics(const Case& input,
 /// Least errors of contact area, mean pressure and sticking share, from the finite size of the
 /// contact cells. Under the edge of a flat slider, which carries a line load, the skin may lift off
 /// further inside, and the contact begins again where a cell does, so that two meshes may agree by
-/// chance. The sticking area is counted by cells under any slider.
+/// chance; so it may where a height map ends the contact at its border. The sticking area is
+/// counted by cells under any slider.
 std::vector<readout::Metric> contact_cell_errors(const Case& input,
+                                                 const mesh::Footprint& footprint,
                                                  const handover::ContactTimeline& timeline) {
   std::vector<readout::Metric> errors;
   const auto slide = timeline.at(readout::middle_of_slide(input.motion, input.slider));
   const double area = slide.contact_area();
   const auto flat = input.slider.flat_half_size();
-  if (flat[0] > 0 && flat[1] > 0 && area > 0) {
+  const bool edges = footprint.sharp(0) && footprint.sharp(1);
+  if ((edges || (flat[0] > 0 && flat[1] > 0)) && area > 0) {
     const double border = slide.contact_border();
     errors.push_back({"contact_area_slide", border, "m2"});
     errors.push_back({"mean_pressure_slide", slide.normal_force() * border / (area * area), "Pa"});
@@ -159,7 +162,10 @@ SliderRecord slider_record(const Case& input, const mechanics::ContactSolution& 
   record.contact_solves = contact.contact_solves;
   record.warnings = contact.warnings;
   record.metrics = contact_metrics(input, timeline, energy);
-  record.cell_errors = contact_cell_errors(input, timeline);
+  const mesh::Footprint& footprint = contact.mesh.footprint();
+  // A slider that covers the width of a skin between symmetry planes has no edge along y.
+  record.sharp_edge = footprint.sharp(0) || (footprint.sharp(1) && !covers_width(input));
+  record.cell_errors = contact_cell_errors(input, footprint, timeline);
   return record;
 }
 

@@ -44,6 +44,8 @@ struct SliderRecord {
   double worst_complementarity_residual = 0;
   /// Number of contact equilibria that were solved.
   int contact_solves = 0;
+  /// True if the contact ends at a sharp edge of the slider, around which the skin bends.
+  bool sharp_edge = false;
   std::vector<readout::Metric> metrics; ///< scalar results of the contact, for summary.json
   /// Least errors of some metrics, by the metric's name and in its unit, that the finite size of
   /// the contact cells leaves even where two meshes happen to agree.

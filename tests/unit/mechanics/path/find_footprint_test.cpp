@@ -132,6 +132,36 @@ TEST(FindFootprint, OfAWedgeFollowsItsRidge) {
   EXPECT_NEAR(largest.half_size[1], 0.4e-3, 1e-9);
 }
 
+/// A height map of a small block: its face is flat, or falls along y only.
+/// @param fall height of the side at y > 0 over the other one [m]
+Case small_map(double fall) {
+  Case input = small_case();
+  input.slider.shape = "profile";
+  input.slider.profile_heights = {{-0.5e-3, 0.5e-3}, {-0.4e-3, 0.4e-3}, {0, 0, fall, fall}};
+  return input;
+}
+
+TEST(FindFootprint, OfAMapThatTouchesAtItsBorderEndsThereSharply) {
+  const mesh::Footprint flat = find_footprint(small_map(0), 0.3, 1).footprint;
+  EXPECT_EQ(flat.half_size, (std::array{0.5e-3, 0.4e-3}));
+  EXPECT_TRUE(flat.sharp(0) && flat.sharp(1));
+  // Cells further in are those of a contact that may end anywhere.
+  EXPECT_EQ(flat.resolved, flat.half_size);
+  // Indented by 1 um, it touches at one side along y.
+  const mesh::Footprint inclined = find_footprint(small_map(5e-6), 0.3, 1).footprint;
+  EXPECT_TRUE(inclined.sharp(0) && inclined.sharp(1));
+  const mesh::Footprint wedge = find_footprint(small_wedge(0), 0.3, 1).footprint;
+  EXPECT_TRUE(wedge.round(0) && wedge.sharp(1));
+}
+
+TEST(FindFootprint, OfAMapAtAnAngleHasNoRowsOfCellsAlongItsBorder) {
+  Case input = small_map(0);
+  input.slider.pose.yaw = 0.3;
+  input.motion.stroke = 0;
+  const mesh::Footprint footprint = find_footprint(input, 0.3, 1).footprint;
+  EXPECT_TRUE(footprint.round(0) && footprint.round(1));
+}
+
 TEST(FindFootprint, OfAdhesionOverAWideGapIsFound) {
   Case input = small_wedge(0);
   input.motion.stroke = 0;

@@ -18,23 +18,19 @@ Signals with_current(const std::vector<double>& current) {
 }
 
 TEST(Convergence, LargestValuesUnderSharpEdgesHaveNoLimit) {
-  Case input;
-  input.skin.width = 2e-3;
-  input.slider.size = {1e-3, 1e-3};
   const Signals signals = with_current({0, 1, 1, 1});
-  EXPECT_TRUE(not_converging(input, signals, {}).contains("element_max_shear_slide"));
-  input.slider.parameters["edge_radius"] = 1e-4;
-  EXPECT_FALSE(not_converging(input, signals, {}).contains("element_max_shear_slide"));
+  MechanicsRecord mechanics;
+  EXPECT_FALSE(not_converging(mechanics, signals, {}).contains("element_max_shear_slide"));
+  mechanics.sharp_edge = true;
+  EXPECT_TRUE(not_converging(mechanics, signals, {}).contains("element_max_shear_slide"));
 }
 
 TEST(Convergence, AnExtremeThatAMeshDoesNotResolveHasNoError) {
-  Case input;
-  input.slider.parameters["edge_radius"] = 1e-4;
   const Signals signals = with_current({0, 1, 1, 1});
   const std::string name = "element_max_shear_slide";
-  EXPECT_TRUE(not_converging(input, signals, {{name, 0.4}}).contains(name));
-  EXPECT_FALSE(not_converging(input, signals, {{name, 0.3}}).contains(name));
-  EXPECT_FALSE(not_converging(input, signals, {{"stick_fraction_touchdown", 3}})
+  EXPECT_TRUE(not_converging({}, signals, {{name, 0.4}}).contains(name));
+  EXPECT_FALSE(not_converging({}, signals, {{name, 0.3}}).contains(name));
+  EXPECT_FALSE(not_converging({}, signals, {{"stick_fraction_touchdown", 3}})
                    .contains("stick_fraction_touchdown"));
 }
 
@@ -48,21 +44,16 @@ TEST(Convergence, AnOnsetThatAMeshDoesNotResolveIsMarked) {
 }
 
 TEST(Convergence, ASpikeOfOneStepHasNoPeak) {
-  Case input;
-  input.slider.parameters["edge_radius"] = 1e-4;
-  EXPECT_EQ(not_converging(input, with_current({0, 0, -5, 1, 0}), {}).size(), 4u);
-  EXPECT_TRUE(not_converging(input, with_current({0, 3, -5, 1, 0}), {}).empty());
+  EXPECT_EQ(not_converging({}, with_current({0, 0, -5, 1, 0}), {}).size(), 4u);
+  EXPECT_TRUE(not_converging({}, with_current({0, 3, -5, 1, 0}), {}).empty());
 }
 
 TEST(Convergence, APeakWhoseErrorIsLargerThanItselfIsMarked) {
-  Case input;
-  input.slider.parameters["edge_radius"] = 1e-4;
   const Signals signals = with_current({0, 3, -5, 3, 0});
   const std::string name = "peak_current_top";
-  EXPECT_TRUE(not_converging(input, signals, {{name, 1.1}}).contains(name));
-  EXPECT_FALSE(not_converging(input, signals, {{name, 0.9}}).contains(name));
-  EXPECT_FALSE(
-      not_converging(input, signals, {{"rms_current_top", 1.1}}).contains("rms_current_top"));
+  EXPECT_TRUE(not_converging({}, signals, {{name, 1.1}}).contains(name));
+  EXPECT_FALSE(not_converging({}, signals, {{name, 0.9}}).contains(name));
+  EXPECT_FALSE(not_converging({}, signals, {{"rms_current_top", 1.1}}).contains("rms_current_top"));
 }
 
 } // namespace
