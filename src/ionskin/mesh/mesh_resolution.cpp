@@ -71,7 +71,7 @@ MeshResolution mesh_resolution(const Case& input, const Footprint& footprint) {
                  resolved = footprint.resolved[d];
     const double in_rim =
         (resolved > 0 ? std::clamp(resolved, least_resolved * rim, rim) : rim) / rim_elements;
-    // Under a flat underside only the edge ends the contact.
+    // The edge alone ends the contact under a flat underside.
     const double most = sharp && resolved > 0 ? in_rim : std::numeric_limits<double>::infinity();
     result.edge_size[d] = sharp                ? at_sharp_edge
                           : footprint.round(d) ? in_rim

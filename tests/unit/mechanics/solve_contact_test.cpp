@@ -395,6 +395,10 @@ TEST(SolveContact, AFlatHeightMapIsAFlatSlider) {
   const ContactSolution map = solve(input);
   EXPECT_NEAR(touchdown(map).normal_force, force, 5e-3 * force);
   EXPECT_TRUE(map.warnings.empty());
+  input.slider.pose.yaw = 0.3;
+  const ContactSolution turned = solve(input);
+  ASSERT_EQ(turned.warnings.size(), 1u);
+  EXPECT_NE(turned.warnings.front().find("slider.yaw"), std::string::npos);
 }
 
 TEST(SolveContact, WarnsOfAHeightMapFinerThanItsCells) {
